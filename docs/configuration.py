@@ -6,10 +6,13 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
 import yaml
 
 from granular_fronts.campaign.kinds import KINDS, Parameter
 from granular_fronts.model import kinds, laws
+from granular_fronts.scenes.configuration import whole_schema
+from granular_fronts.scenes.parts import LARGEST_WHOLE
 from granular_fronts.scenes.schema import load_schema
 
 CONFIG = Path(__file__).parents[1] / "config"
@@ -26,7 +29,7 @@ class Key(NamedTuple):
     @property
     def description(self) -> str:
         """What the key means."""
-        return self.part.get("description", "")
+        return self.part.get("description") or self.part.get("const", "")
 
 
 def keys(
@@ -59,12 +62,14 @@ def keys(
     if reference and reference not in seen:
         yield from keys(_pointed_at(reference, schema), schema, (*seen, reference), path, kind)
     below = dict(part.get("properties", {}))
+    kind = below.get("kind", {}).get("const", kind)
     if isinstance(part.get("additionalProperties"), dict):
         below["⟨name⟩"] = part["additionalProperties"]
+    for entry in part.get("patternProperties", {}).values():
+        below["⟨name⟩"] = entry
     for key, value in below.items():
         longer = f"{path}.{key}".removeprefix(".")
-        named = _pointed_at(value["$ref"], schema) if "$ref" in value else {}
-        yield Key(longer, {**named, **value}, key in part.get("required", []), kind)
+        yield Key(longer, _resolved(value, schema), key in part.get("required", []), kind)
         yield from keys(value, schema, seen, longer)
     if "items" in part:
         yield from keys(part["items"], schema, seen, f"{path}.…")
@@ -76,6 +81,19 @@ def keys(
     for branch in ("then", "else"):
         if branch in part:
             yield from keys(part[branch], schema, seen, path, case)
+
+
+def _resolved(part: Mapping[str, Any], schema: Mapping[str, Any]) -> dict[str, Any]:
+    """A part with what it refers to, and the types of its choices."""
+    referred = _pointed_at(part["$ref"], schema) if "$ref" in part else {}
+    whole = {**referred, **part}
+    choices = [_resolved(one, schema) for one in whole.get("anyOf", [])]
+    choices = [one for one in choices if one.get("type") != "null"]
+    for choice in choices[::-1]:
+        whole = {**choice, **whole}
+    if len(choices) > 1:
+        whole["type"] = [*dict.fromkeys(one.get("type", "object") for one in choices)]
+    return whole
 
 
 def distinct_keys(schema: Mapping[str, Any]) -> list[Key]:
@@ -144,7 +162,11 @@ def type_of(part: Mapping[str, Any]) -> str:
         return ", ".join(f"`{name}`" for name in part["enum"])
     given = part.get("type", "object")
     words = " or ".join(TYPES[one] for one in ([given] if isinstance(given, str) else given))
-    limits = [f"{sign} {part[name]:g}" for name, sign in LIMITS.items() if name in part]
+    limits = [
+        f"{sign} {part[name]:g}"
+        for name, sign in LIMITS.items()
+        if name in part and abs(part[name]) < LARGEST_WHOLE
+    ]
     inside = part.get("items", {})
     if "list" in words and ("enum" in inside or inside.get("type") in ("number", "integer")):
         return f"{words} of {type_of(inside)}"
@@ -155,7 +177,9 @@ def default_of(key: Key, defaults: Any) -> str:
     """What holds where the key is not given: a value, or whether it must be."""
     for one in key.path.split("."):
         defaults = defaults.get(one) if isinstance(defaults, dict) else None
-    if defaults is not None and not isinstance(defaults, dict):
+    if defaults is None:
+        defaults = key.part.get("default")
+    if defaults not in (None, []) and not isinstance(defaults, dict):
         text = yaml.safe_dump(defaults, default_flow_style=True, width=1000).split("\n")[0]
         return f"`{text}`" if len(text) < LONGEST else "as below"
     said = re.search(r"([^\s;,.]+(?:\.\d+)?)(?:,[^.;]*)? by default", key.description)
@@ -167,17 +191,18 @@ def table(found: list[Key], defaults: Any = None, within: str = "") -> list[str]
     rows = [f"| {' | '.join(COLUMNS)} |", "|" + "---|" * len(COLUMNS)]
     for key in found:
         units = (unit for words, unit in UNITS.items() if words in key.description)
+        is_number = {"number", "integer"} & set(np.atleast_1d(key.part.get("type", "")))
         meaning = REPEATED.sub("", re.sub(r"[,;]? dimensionless(?=[.;])", "", key.description))
         meaning = f"For kind `{key.kind}`: {meaning}" if key.kind else meaning
         cells = [f"`{key.path.removeprefix(within)}`", type_of(key.part), default_of(key, defaults)]
-        cells += [next(units, ""), meaning.replace("|", r"\|")]
+        cells += [next(units, "1" if is_number else ""), meaning.replace("|", r"\|")]
         rows.append(f"| {' | '.join(cells)} |")
     return ["```{container} keys", *rows, "```"]
 
 
 def configuration_page() -> str:
     """Every key of the configuration, with an example of each family."""
-    schema = load_schema("config")
+    schema = whole_schema()
     text = (CONFIG / "default.yaml").read_text(encoding="utf-8")
     defaults = yaml.safe_load(text)
     lines = ["# Configuration", "", schema["description"], ""]

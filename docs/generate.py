@@ -85,10 +85,10 @@ GROUPS = (
 )
 
 NAMES = {
-    "chains": "simulate_chain pulses",
-    "fronts": """solve_front evaluate_front sweep_fronts tail_roots critical_damping
+    "chains": "simulate_chain Chain pulses",
+    "fronts": """solve_front Front evaluate_front sweep_fronts tail_roots critical_damping
         front_multipliers""",
-    "equations": "log_burgers_front heteroclinic evolve_log_burgers evolve_log_kdv_burgers",
+    "equations": "log_burgers_front heteroclinic evolve_log_burgers evolve_log_kdv_burgers Ring",
     "laws": """make_law Potential jump_conditions restitution damping_for_restitution
         Scaling sphere_stiffness contact_stiffness damping_from_restitution""",
     "proofs": "prove_front check_certificate",

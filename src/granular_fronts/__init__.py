@@ -9,7 +9,10 @@ from importlib import import_module
 __version__ = "0.2.0"
 
 _HOME_OF = {
+    "Chain": "granular_fronts.scenes.chain",
+    "Front": "granular_fronts.scenes.front",
     "Potential": "granular_fronts.model.potentials",
+    "Ring": "granular_fronts.scenes.ring",
     "Scaling": "granular_fronts.model.scaling",
     "check_certificate": "granular_fronts.proofs.checker",
     "critical_damping": "granular_fronts.fronts.linear.critical_damping",

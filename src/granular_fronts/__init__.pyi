@@ -24,6 +24,9 @@ from granular_fronts.model.scaling import sphere_stiffness as sphere_stiffness
 from granular_fronts.output import plot as plot
 from granular_fronts.proofs.certificate import prove_front as prove_front
 from granular_fronts.proofs.checker import check_certificate as check_certificate
+from granular_fronts.scenes.chain import Chain as Chain
+from granular_fronts.scenes.front import Front as Front
+from granular_fronts.scenes.ring import Ring as Ring
 
 __version__: str
 __all__: list[str]

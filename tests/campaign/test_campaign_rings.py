@@ -163,7 +163,7 @@ def test_ring_that_fails_leaves_the_others_solved():
 def test_given_profile_may_be_any():
     """A pulse listed by hand is the pulse."""
     pulse = make_ring({"alpha": 1.2, "delta": 1.0, "damping": 0.5, **PULSE}, RINGS["start"])
-    start = {"profile": "given", "rescaled_force": pulse.start["rescaled_force"]}
+    start = {"profile": "given", "rescaled_force": [*pulse.start.rescaled_force]}
     axes, bare = {"slow_time": [0.5]}, {"alpha": 1.2, "damping": 0.5, "half_length": 8.1}
     listed, named = (
         solved(start=start, axes=axes, fixed=bare),

@@ -25,16 +25,10 @@ def test_a_strain_that_leaves_the_interval_of_its_law_is_named(sign):
         simulate_chain(scene)
 
 
-def test_overflow_at_the_start_is_reported():
-    """The solver does not rely on the validation of scenes, which refuses such sizes."""
-    scene = driven_scene(delta=1.0e250, end_time=1.0e10)
-    with pytest.raises(SolveError, match=r"scene huge.*forces at t = 0 overflow.*scale"):
-        solve(scene, scene["tolerance"], "scene huge")
-
-
 def test_step_size_collapse_is_reported():
-    """After a flight of unit duration the beads collide faster than double precision resolves t."""
-    start = given([-1.0e77], [1.0e77, 0.0])
-    scene = driven_scene(beads=2, delta=0.0, end_time=2.0, start=start)
-    with pytest.raises(SolveError, match=r"scene fast.*At t = 1 the step size collapsed.*bead 1.*"):
-        solve(scene, scene["tolerance"], "scene fast")
+    """After a flight of duration 10⁶ the beads collide faster than double precision resolves t."""
+    start = given([-1.0e55], [1.0e49, 0.0])
+    scene = driven_scene(beads=2, delta=0.0, end_time=2.0e6, start=start)
+    scene["tolerance"] = {"relative": 1e-9, "absolute": 1e35}
+    with pytest.raises(SolveError, match=r"scene fast.*At t = 1e\+06 the step size.*bead 1.*"):
+        solve(scene, activity="scene fast")

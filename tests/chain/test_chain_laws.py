@@ -16,6 +16,7 @@ from granular_fronts.errors import InputError
 from granular_fronts.model.passes import row_parameters
 from granular_fronts.numerics.runge_kutta import LONG
 from granular_fronts.reference_methods import position_forms
+from granular_fronts.scenes.chain import read_chain
 
 FASTEST_SCALAR_CODE = 3.0
 """Over the time of a vectorised square root; a stage takes 1.0 to 1.7 times as long with a root,
@@ -48,10 +49,11 @@ def pulse(law, beads=40, end_time=12.0, held=0.3, **changes):
 
 
 def in_positions(form, scene):
-    law, boundary = gf.make_law(scene["law"]), make_boundary(scene)
-    u, velocity = chain_run.initial_state(scene, law, boundary)
-    system, y = position_forms.pack(form, law, boundary, u, velocity)
-    y, _ = position_forms.integrate_adaptive(system, y, 1e-3, scene["end_time"], 1e-13, 1e-14)
+    scene = read_chain(scene)
+    boundary = make_boundary(scene)
+    u, velocity = chain_run.initial_state(scene, scene.law, boundary)
+    system, y = position_forms.pack(form, scene.law, boundary, u, velocity)
+    y, _ = position_forms.integrate_adaptive(system, y, 1e-3, scene.end_time, 1e-13, 1e-14)
     return np.concatenate(position_forms.unpack(system, y))
 
 
@@ -65,7 +67,7 @@ def test_strain_and_positions_agree(law, form):
 @by_law
 def test_balances_close(law):
     scene = pulse(law, record={"snapshots": [12.0], "balances": True})
-    drifts = solve(scene, scene["tolerance"]).drifts
+    drifts = solve(scene).drifts
     assert drifts["momentum_drift"] < 1.0e-13
     assert drifts["energy_drift"] < 1.0e-12
 
@@ -83,11 +85,11 @@ def test_contacts_ahead_of_the_wave_need_no_visit(law, right, monkeypatch):
         record={"snapshots": [25.0], "arrival_level": 0.4},
         tolerance={"relative": 1e-9, "absolute": 1e-11},
     )
-    windowed = solve(scene, scene["tolerance"])
+    windowed = solve(scene)
     run = prepare(scene)
     assert run.clock.reach < 40
     monkeypatch.setattr(chain_run, "end_of_window", lambda chain, table, start: chain.beads)
-    whole = solve(scene, scene["tolerance"])
+    whole = solve(scene)
     assert windowed.counts == whole.counts
     for name in whole.dataset:
         np.testing.assert_allclose(windowed.dataset[name], whole.dataset[name], rtol=0, atol=5e-16)
@@ -185,7 +187,7 @@ def test_a_record_has_room_for_eight_kinks_and_eight_parameters(monkeypatch):
         compile_law(law(9), None)
     monkeypatch.setattr(chain_run, "row_parameters", lambda *_: np.ones(9))
     with pytest.raises(InputError, match=r"has 9 parameters .* room for 8"):
-        make_chain(law(0), make_boundary(pulse({})), np.ones(3), np.ones(3))
+        make_chain(law(0), make_boundary(read_chain(pulse(LAWS["hertz"]))), np.ones(3), np.ones(3))
 
 
 @pytest.mark.timing
@@ -196,7 +198,12 @@ def test_inner_loops_are_vector_code(terms):
     table[:] = rng.uniform(0.5, 1.0, table.shape)
     u, result, weights = table[U].copy(), np.zeros_like(table[U]), rng.uniform(0, 1, LONG)
     root = fastest(lambda: roots(u, result, 400), 7)
-    chain, _ = make_chain(gf.make_law(alpha=1.5), make_boundary(pulse({})), np.ones(3), np.ones(3))
+    chain, _ = make_chain(
+        gf.make_law(alpha=1.5),
+        make_boundary(read_chain(pulse(LAWS["hertz"]))),
+        np.ones(3),
+        np.ones(3),
+    )
     assert chain.law.stage_pass != 0
     parameters = row_parameters(gf.make_law(alpha=1.5).elastic, 1)
     address = int(chain.law.stage_pass)

@@ -23,6 +23,7 @@ from granular_fronts.studies import law_measures as laws
 from granular_fronts.studies import ring_measures as ring
 from granular_fronts.studies import shock_measures as shocks
 from granular_fronts.studies import tapered_measures as tapered
+from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
 from granular_fronts.studies.dispersive_shocks import fitted_edges
 
 
@@ -50,7 +51,7 @@ T, N = np.arange(11.0), np.arange(1, 9)
 VELOCITY = np.zeros((11, 8))
 VELOCITY[5:, -2], VELOCITY[9:, -2], VELOCITY[3, 2] = 3.0, 4.0, -0.25
 CHAIN = dataset(
-    {"boundary": {"left": 1 / 16}, "law": {"alpha": 1.5}},
+    pressed_chain(kuwabara_kono(1.5, 0.1), 8, 10.0, (1e-9, 1e-11), {"snapshots": []}, 1 / 16),
     front_speed=({}, 0.7),
     first_peak=({"bead": N}, np.where(N == 4, 0.09, 0.07)),
     largest_relative_displacement=({}, 0.08),
@@ -166,9 +167,13 @@ RING = {
     "law": {"alpha": 1.5, "gamma": 1.0 / 6.0},
     "displacement": 16.0,
     "half_beads": 20,
-    "start": {"half_width": 10.0, "floor": math.exp(-2.0)},
-    "equations": {"upwind": {"points": 100}},
+    "start": {"kind": "plateau", "half_width": 10.0, "floor": math.exp(-2.0)},
+    "end_time": 10.0,
+    "tolerance": {"relative": 1e-9, "absolute": 1e-9},
+    "equations": {"logarithmic": {"cells": 160, "tolerance": 1e-5}},
+    "record": {"snapshots": [10.0], "grid": {"step": 1.0}},
 }
+UPWIND = {"equations": RING["equations"] | {"upwind": {"points": 100}}}
 
 
 def shock(place, height, sites, floor=0.0, slope=0.25):
@@ -181,7 +186,7 @@ TIMES, BEADS, SITES = [0.0, 3.0, 6.0], np.arange(1.0, 40.0), np.arange(1.0, 40.0
 AT_BEADS, AT_SITES = {"t": TIMES, "bead": BEADS}, {"t": TIMES, "site": SITES}
 BUMPS = [(0.0, 25), (1.6, 25), (1.6, 24), (1.6, 23)]
 SHOCKS = dataset(
-    RING,
+    RING | UPWIND,
     relative_displacement=(AT_BEADS, [shock(place, 1.0, BEADS) for place in (22, 28, 36)]),
     relative_displacement_logarithmic=(
         AT_SITES,

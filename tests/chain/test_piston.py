@@ -45,7 +45,7 @@ def test_balances_close(law, ramp, right):
     """The piston keeps its velocity, and does the work that the chain stores and dissipates."""
     record = {"snapshots": [], "balances": True}
     scene = piston_scene(law, ramp, end_time=60.0, right=right, record=record)
-    drifts = solve(scene, scene["tolerance"]).drifts
+    drifts = solve(scene).drifts
     assert drifts["momentum_drift"] < 5.0e-14
     assert drifts["energy_drift"] < 2.0e-13
 

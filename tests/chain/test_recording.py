@@ -30,7 +30,7 @@ def motion():
         "extremes": True,
     }
     scene = driven_scene(0.06, beads, 80.0, record=record)
-    return solve(scene, scene["tolerance"]).dataset
+    return solve(scene).dataset
 
 
 def test_regular_points_end_at_a_stop_that_the_step_hits_up_to_rounding():
@@ -70,7 +70,7 @@ def test_a_run_that_ends_before_its_last_output_is_no_result():
     run.recording.stops[-1] = 15.0
     integrate(run, scene["tolerance"])
     with pytest.raises(SolveError, match="before its last output"):
-        collect(scene, run)
+        collect(run)
 
 
 TODA = {"elastic": {"kind": "toda", "strength": 1.0, "rate": 1.0}, "viscous": {"kind": "none"}}

@@ -10,6 +10,7 @@ from truth import chains, hold
 
 def scene(law, u, velocity, end):
     """A chain with free ends and a given start."""
+    u, velocity = (np.asarray(values, dtype=float) for values in (u, velocity))
     start = {"kind": "given", "relative_displacement": u, "velocity": velocity}
     boundary = {"kind": "pressure", "left": 0.0, "right": 0.0}
     return {
@@ -18,6 +19,8 @@ def scene(law, u, velocity, end):
         "boundary": boundary,
         "start": start,
         "end_time": end,
+        "tolerance": {"relative": 1e-9, "absolute": 1e-11},
+        "record": {"snapshots": []},
     }
 
 
@@ -57,7 +60,7 @@ def test_reference_carries_the_soliton_of_toda():
         return heights[:-1], 2 * np.sinh(kappa) * np.diff(share)
 
     start = soliton(REAL(0))
-    motion = Motion(scene(law, *start, end))
+    motion = Motion(scene(law, *start, end), start=start)
     for found, exact in zip(motion.states([end]), soliton(REAL(end)), strict=True):
         assert np.abs(found[0] - exact).max() < 1e-16
 

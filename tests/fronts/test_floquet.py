@@ -79,7 +79,7 @@ def one_bead_time(front, kick):
     damping = law.gamma * np.diff(np.concatenate([[1.0], np.maximum(u, 0.0) ** law.beta]))
     velocity = np.cumsum(d[::-1])[::-1] - damping
     scene = travelling_scene(law, u, velocity, end_time=1.0)
-    last = solve(scene, scene["tolerance"]).dataset.isel(t=-1)
+    last = solve(scene).dataset.isel(t=-1)
     u, velocity = last["relative_displacement"].values, last["velocity"].values
     w = velocity + law.gamma * np.diff(np.concatenate([[1.0], np.maximum(u, 0.0) ** law.beta]))
     assert u.size == beads
@@ -253,7 +253,7 @@ def test_front_travels_unchanged_through_the_chain(alpha, gamma):
         for values in (front.relative_displacement, front.velocity)
     )
     scene = travelling_scene(front.window.law, u, velocity, float(bead_times))
-    last = solve(scene, scene["tolerance"]).dataset.isel(t=-1)
+    last = solve(scene).dataset.isel(t=-1)
     moved = slice(bead_times, bead_times + front.bead.size)
     for name in ("relative_displacement", "velocity"):
         error = np.abs(last[name].values[moved] - getattr(front, name)).max()

@@ -4,13 +4,13 @@ import math
 
 import numpy as np
 import pytest
-from chains import driven_scene, last_state
+from chains import driven_scene, given, last_state
 from scipy.integrate import solve_ivp
 
 import granular_fronts as gf
 from granular_fronts.errors import InputError
 from granular_fronts.model.materials import MATERIALS, UNITS, body_of
-from granular_fronts.scenes.beads import elastic_pattern
+from granular_fronts.scenes.chain import read_chain
 
 FREE = {"kind": "pressure", "left": 0.0, "right": 0.0}
 STEEL_WALL = {"kind": "wall", "left": 0.0, "material": "steel"}
@@ -89,8 +89,9 @@ def test_equal_spheres_are_the_uniform_chain():
 
 
 def test_a_ring_closes_with_the_contact_of_its_last_and_first_sphere():
-    scene = chain_of({"count": 4, "cell": ["steel 9.5 mm", "ptfe 4.8 mm"]}, {"kind": "ring"})
-    [factor] = set(elastic_pattern(scene)["list"])
+    beads = {"count": 4, "cell": ["steel 9.5 mm", "ptfe 4.8 mm"]}
+    scene = chain_of(beads, {"kind": "ring"}, start=given([0.1] * 4, [0.0] * 4))
+    [factor] = set(read_chain(scene).elastic.list)
     unlike = gf.contact_stiffness("steel 9.5 mm", "ptfe 4.8 mm")
     assert factor == pytest.approx(unlike / gf.contact_stiffness(*2 * ["steel 9.5 mm"]))
 
@@ -106,13 +107,13 @@ def test_a_ring_closes_with_the_contact_of_its_last_and_first_sphere():
         ("steel 1e999 mm", {}, "has the diameter 1e999"),
         ("steel", {}, "without a diameter: give one, as in steel 9.5 mm"),
         ("9.5 mm steel", {}, "is no body | as in steel 9.5 mm"),
-        ("steel 5 mm", {"alpha": 2.0}, "law.alpha is 2.0: give alpha 1.5"),
+        ("steel 5 mm", {"alpha": 2.0}, "law.alpha is 2: give alpha 1.5"),
         ("steel 5 mm", {"boundary": {"kind": "wall", "left": 0.0}}, "boundary.material is missing"),
         ("steel 5 mm", {"boundary": STEEL_WALL | {"material": "wood"}}, "'wood' is no material"),
         ("steel 5 mm", {"contacts": {"elastic": 2.0}}, "contacts.elastic is given"),
         (12, {"boundary": STEEL_WALL}, "boundary.material is steel | no material"),
         ({"count": 3, "list": ["steel 1 m"]}, {}, "beads.list has 1 values | 3"),
-        ({"count": 3, "cell": ["steel 1 m"], "mass": 2.0}, {}, "but beads.mass is given"),
+        ({"count": 3, "cell": ["steel 1 m"], "mass": 2.0}, {}, "but mass is given"),
         ({"count": 2, "list": ["steel 1 m", "steel 1 um"]}, {}, "beads comes to 1e±18"),
     ],
 )

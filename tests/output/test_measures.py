@@ -6,6 +6,8 @@ import math
 import numpy as np
 import pytest
 import xarray as xr
+from chains import driven_scene
+from rings import SCENES
 
 from granular_fronts.campaign import measures as campaigns
 from granular_fronts.chain import measures as chain
@@ -16,7 +18,7 @@ from granular_fronts.studies import law_measures as laws
 from granular_fronts.studies import ring_measures as periodic
 
 EXACT = {"error_estimate": 1e-15, "error_method": "given"}
-DRIVEN = {"boundary": {"left": 0.1}, "law": {"alpha": 1.5, "gamma": 0.06}}
+DRIVEN = driven_scene(delta=0.1)
 SPEED = 0.1**0.25
 
 
@@ -163,7 +165,8 @@ def test_extremes_of_a_velocity_are_located_between_grid_points():
 
 def ring(chain, equation):
     """Snapshots at t = 0 of a ring of 39 beads and of the equation, from functions of the site."""
-    scene = {"law": {"alpha": 1.5, "gamma": 0.24}, "displacement": 5.0, "half_beads": 20}
+    scene = SCENES["weak"] | {"law": {"alpha": 1.5, "gamma": 0.24}, "half_beads": 20}
+    scene |= {"start": {"kind": "plateau", "half_width": 1.0, "floor": 0.1}}
     beads, sites = np.arange(1, 40), np.arange(1.0, 40.0, 0.2)
     return xr.Dataset(
         {

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 import xarray as xr
+from chains import driven_scene
 from compare_periodic_chain import compare_periodic_chain
 from compute_heteroclinic import compute_heteroclinic
 from initiate_front import initiate_front
@@ -135,7 +136,7 @@ def test_verdict_on_a_number_and_its_error(statement, value, error, verdict):
     assert verdict_on(statement, Estimate(value, error)) == verdict
 
 
-REFERENCE = {"boundary": {"left": 0.1}, "law": {"alpha": 1.5}, "tolerance": {"relative": 1e-13}}
+REFERENCE = driven_scene(beads=420, delta=0.1)
 SPEED = {
     "quantity": "front speed",
     "kind": "number",
@@ -161,7 +162,7 @@ def row_of(statement, **changes):
 
 
 def test_a_statement_becomes_a_row():
-    row = row_of(SPEED, tolerance={"relative": 1e-9})
+    row = row_of(SPEED, tolerance={"relative": 1e-9, "absolute": 1e-11})
     assert row["computed"] == 0.1**0.25
     assert row["numerical_error"] == math.ulp(0.1**0.25)
     assert (row["verdict"], row["criterion"]) == (REPRODUCED, "0.56 within 0.005")
@@ -171,9 +172,9 @@ def test_a_statement_becomes_a_row():
 
 
 def test_other_parameters_are_named_and_not_judged():
-    row = row_of(SPEED, boundary={"left": 0.2}, beads=40)
+    row = row_of(SPEED, boundary={"kind": "pressure", "left": 0.2, "right": 0.0}, gravity=0.0)
     assert row["verdict"] == OTHER_PARAMETERS
-    assert row["remark"] == "boundary.left is 0.2 instead of 0.1; beads is 40, by default absent"
+    assert row["remark"] == "boundary.left is 0.2 instead of 0.1; gravity is 0.0, by default absent"
     assert row["computed"] == pytest.approx(0.2**0.25)
 
 

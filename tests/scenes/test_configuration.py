@@ -9,10 +9,9 @@ import pytest
 from configurations import SCENE, assert_refused, change, refusal, set_value
 
 from granular_fronts.errors import InputError
-from granular_fronts.scenes import limits
-from granular_fronts.scenes.beads import patterns_fit
+from granular_fronts.scenes import memory
 from granular_fronts.scenes.configuration import SECTIONS, check_configuration
-from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.validation import SCENES, check_scene
 
 PISTON = {"kind": "piston", "velocity": 0.05, "right": 0}
 
@@ -20,7 +19,7 @@ PISTON = {"kind": "piston", "velocity": 0.05, "right": 0}
 @pytest.fixture(autouse=True)
 def sixteen_gibibytes(monkeypatch):
     """What is refused must not depend on the machine of the test."""
-    monkeypatch.setattr(limits, "memory_of_machine", lambda: 16 * 2**30)
+    monkeypatch.setattr(memory, "memory_of_machine", lambda: 16 * 2**30)
 
 
 def given(displacements, *velocities):
@@ -45,7 +44,7 @@ CHAIN_REFUSED = [
     ({"beads": 420.0}, "beads is 420.0"),
     ({"beads": True}, "beads is true"),
     ({"beads": 10**30}, "beads is 1000000000000000000000000000000 | beyond what an array"),
-    ({"beads": "420.5"}, 'beads is "420.5": give a whole number'),
+    ({"beads": "420.5"}, 'beads is "420.5"'),
     ({"law__alpha": "1,5"}, 'law.alpha is "1,5" | no comma | point'),
     ({"law": {"alpha": 1, 5: None, "beta": 1, "gamma": 1}}, "law.5 is no key | no comma | point"),
     ({"end_time": 10**400}, "beyond what an array can hold"),
@@ -54,7 +53,7 @@ CHAIN_REFUSED = [
     ({"tolerance__relative": "1.0e-13"}, 'relative is "1.0e-13" | write 1.0e-13'),
     ({"tolerance__relative": "1e-13"}, 'relative is "1e-13" | exponent | write 1.0e-13'),
     ({"boundary": {"kind": "rign"}}, 'boundary.kind is "rign" | pressure or ring or piston'),
-    ({"boundary__kind": "ring"}, "boundary.left, boundary.right are no keys"),
+    ({"boundary__kind": "ring"}, "boundary.left is no key\nboundary.right is no key"),
     ({"start": {"kind": "given"}}, "relative_displacement is missing\nvelocity is missing"),
     ({"boundary": PISTON | {"ramp": -2}}, "boundary.ramp is -2 | limit 0"),
     ({f"{STEADY}beads": []}, "record.probes.steady.beads is empty"),
@@ -80,13 +79,13 @@ CHAIN_REFUSED = [
     ({"law__alpha": 0.8}, "law.alpha is 0.8, below 1"),
     ({"record__snapshots": [450, 2601]}, "record.snapshots (entry 2) is 2601 | end_time 2600"),
     ({"record__grid__step": 2700}, "record.grid.step is 2700 | end_time 2600"),
-    ({f"{STEADY}stop": 9e3}, "record.probes.steady.stop is 9000.0 | end_time 2600"),
+    ({f"{STEADY}stop": 9e3}, "record.probes.steady.stop is 9000 | end_time 2600"),
     ({f"{STEADY}start": 420}, "record.probes.steady.start is 420 | stop 420"),
     ({f"{STEADY}step": 400}, "record.probes.steady.step is 400 | 360"),
     ({f"{STEADY}beads": [420, 421]}, "record.probes.steady.beads names bead 421 | 1 to 420"),
     ({"record__probes__grid": PROBE}, "probes.grid has"),
     ({"record__arrival_level": 1.5}, "record.arrival_level is 1.5 | below 1 where about 0.1"),
-    ({"law__alpha": -1, "beads": 0}, "beads is 0 | limit 2\nlaw.alpha is -1 | above 0"),
+    ({"law__alpha": -1, "beads": 0}, "law.alpha is -1 | above 0\nbeads is 0 | limit 2"),
     ({"law__alpha": 150}, "law.alpha is 150 | energies of about 1e-151 | 1e±140"),
     ({"law__gamma": 1e141}, "law.gamma is 1e+141 | 1e±140"),
     # Sizes, as numbers that a mistake in their formula changes.
@@ -101,11 +100,11 @@ ORBIT_REFUSED = [
     ({"profile__step": 1.0e-9}, "profile.step is 1e-09 | 2,980 GiB"),
     ({"mu": [0.3, 0], "profile__stop": 53}, "profile.stop is 53 | mu = 0 | s = 52.40"),
     ({"mu": [0.3, 0], "profile__start": -57}, "profile.start is -57 | s = -56.77"),
-    ({"profile__stop": 1e6}, "profile.stop is 1000000.0 | s = 54.50"),
+    ({"profile__stop": 1e6}, "profile.stop is 1000000 | s = 54.50"),
     ({"well__step": 2}, "well.step is 2 | 1.75"),
     ({"portrait__mu": 0.5}, "portrait.mu is 0.5 | [0.3, 2]"),
     ({"portrait__starts": []}, "portrait.starts is empty"),
-    ({"portrait__starts": [[0.5]]}, "portrait.starts (entry 1) has 1 entry: list 2 (y, z)"),
+    ({"portrait__starts": [[0.5]]}, "portrait.starts (entry 1) has 1 entry | list 2"),
     ({"portrait__starts": [[0.5, 0], [-1, 0]]}, "portrait.starts (entry 2) is [-1, 0]"),
 ]
 SCENES_REFUSED = [
@@ -133,8 +132,6 @@ def test_many_beads_are_refused_at_once_and_without_memory(default, beads):
     start = time.process_time()
     with pytest.raises(InputError, match="GiB of memory are needed, above the 16 GiB"):
         check_scene("chain", scene, "mine")
-    if isinstance(beads, int):
-        assert [*patterns_fit(scene)] == []
     assert time.process_time() - start < 1.0
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
@@ -273,9 +270,10 @@ def is_checked(path, node, checks):
 
 
 def test_every_section_is_checked(default):
-    assert not unchecked_sections(default, SECTIONS)
+    every = [*SECTIONS, *(f"scenes.{family}.*" for family in SCENES)]
+    assert not unchecked_sections(default, every)
     for path in ("laws.limiting_cases", "scenes.chain.*", "precision.fronts.*"):
-        fewer = {key: section for key, section in SECTIONS.items() if key != path}
+        fewer = [key for key in every if key != path]
         assert unchecked_sections(default, fewer) == [path.partition(".")[0]]
 
 
@@ -335,9 +333,9 @@ def test_single_scene_is_checked_under_its_own_name_and_may_hold_numpy_values(de
         start={"kind": "given", "relative_displacement": np.ones(3), "velocity": np.zeros(3)},
     )["scenes"]["chain"][SCENE]
     checked = check_scene("chain", scene, "mine")
-    assert checked["start"]["velocity"] == [0.0, 0.0, 0.0]
-    assert type(checked["beads"]) is int
+    assert checked.start.velocity == (0.0, 0.0, 0.0)
+    assert type(checked.beads.count) is int
     with pytest.raises(InputError, match=r"^Scene mine: law\.gamma is -1"):
         check_scene("chain", scene | {"law": scene["law"] | {"gamma": -1}}, "mine")
     orbit = {"mu": np.array([0.3]), "profile": {"start": -1, "stop": np.float64(1), "step": 0.5}}
-    assert check_scene("heteroclinic", orbit, "mine")["mu"] == [0.3]
+    assert check_scene("heteroclinic", orbit, "mine").mu == (0.3,)

@@ -1,10 +1,16 @@
 """The schemas describe every key, and let no other pass; a user's errors quote them."""
 
 import re
+from typing import get_args
 
 import pytest
 from configurations import DEFAULT, SCENE
+from jsonschema import Draft202012Validator
 
+from granular_fronts.scenes.chain import Record
+from granular_fronts.scenes.configuration import whole_schema
+from granular_fronts.scenes.orbit import Orbits
+from granular_fronts.scenes.parts import Part
 from granular_fronts.scenes.schema import load_schema
 from granular_fronts.scenes.yaml_files import load_configuration
 
@@ -40,17 +46,34 @@ def test_every_key_is_known_described_and_optional_where_it_says_so(schema):
             assert ("Optional" in said) == (name not in node.get("required", [])), f"{path}.{name}"
 
 
-@pytest.mark.parametrize(
-    ("family", "name", "part", "definition", "elsewhere"),
-    [
-        ("heteroclinic", "front_profiles", None, "heteroclinic_scene", set()),
-        # No figure of the paper shows forces of contacts; campaigns of the project record them.
-        ("chain", SCENE, "record", "chain_scene", {"sensors"}),
-    ],
-)
-def test_default_shows_every_optional_key(family, name, part, definition, elsewhere):
-    shown = load_configuration(DEFAULT)["scenes"][family][name]
-    known = SCHEMAS["config"]["$defs"][definition]["properties"]
-    if part:
-        shown, known = shown[part], known[part]["properties"]
-    assert shown.keys() | elsewhere == known.keys()
+def parts_below(part):
+    """A part and all parts that its keys hold."""
+    yield part
+    for below in part.__subclasses__():
+        yield from parts_below(below)
+
+
+def test_every_key_of_a_scene_says_what_it_is():
+    for part in parts_below(Part):
+        for name, field in part.model_fields.items():
+            inside = [one for one in get_args(field.annotation) or [field.annotation] if one]
+            is_part = any(isinstance(one, type) and issubclass(one, Part) for one in inside)
+            assert name in ("kind", "impurity") or field.description or is_part, (
+                f"{part.__name__}.{name}"
+            )
+            assert part.__doc__
+
+
+def test_the_schema_for_editors_takes_the_default_and_no_unknown_key():
+    validator, default = Draft202012Validator(whole_schema()), load_configuration(DEFAULT)
+    assert [*validator.iter_errors(default)] == []
+    default["scenes"]["chain"][SCENE]["bedas"] = 3
+    assert len([*validator.iter_errors(default)]) == 1
+
+
+def test_default_shows_every_optional_key():
+    scenes = load_configuration(DEFAULT)["scenes"]
+    assert scenes["heteroclinic"]["front_profiles"].keys() == Orbits.model_fields.keys()
+    # No figure of the paper shows forces of contacts; campaigns of the project record them.
+    shown = scenes["chain"][SCENE]["record"].keys() | {"sensors"}
+    assert shown == Record.model_fields.keys()

@@ -24,6 +24,8 @@ QUICK += ["colliding_fronts", "mu_below_2", "mu_above_2"]
 QUICK += ["energy_of_openings"]
 SLOW = sorted(set(registry.CASES) - set(QUICK))
 
+NOTHING = {"snapshots": []}
+
 
 def assert_passes(name):
     case, seconds, refusal = registry.run_case(name)
@@ -82,7 +84,7 @@ def test_refusal_of_a_solver_stands_in_the_row(monkeypatch):
 
 def test_extended_reference_obeys_the_momentum_law_beyond_double_precision():
     law = {"alpha": 1.5, "beta": 1.0, "gamma": 0.3}
-    state = reference_state(pressed_chain(law, 12, 5.0, (1e-9, 1e-9), {}))
+    state = reference_state(pressed_chain(law, 12, 5.0, (1e-9, 1e-9), NOTHING))
     assert state.error < 1.0e-16
     assert state.velocity.sum() == pytest.approx(5.0, abs=1.0e-15)
 
@@ -91,7 +93,9 @@ def test_extended_reference_of_two_beads_pressed_from_both_sides_is_the_closed_f
     gamma, end = 0.1, 3.0
     law = {"alpha": 1.0, "beta": 1.0, "gamma": gamma}
     start = [0.5], [0.0, 0.0]
-    state = reference_state(pressed_chain(law, 2, end, (1e-9, 1e-9), {}, right=1.0, start=start))
+    state = reference_state(
+        pressed_chain(law, 2, end, (1e-9, 1e-9), NOTHING, right=1.0, start=start)
+    )
     frequency = math.sqrt(2.0 - gamma**2)
     swing = math.cos(frequency * end) + gamma / frequency * math.sin(frequency * end)
     exact = 1.0 - 0.5 * math.exp(-gamma * end) * swing

@@ -53,7 +53,7 @@ def given(u, velocity):
 
 def last_state(scene):
     """u and velocity of all beads at the last snapshot of one integration."""
-    last = solve(scene, scene["tolerance"]).dataset.isel(t=-1)
+    last = solve(scene).dataset.isel(t=-1)
     return np.concatenate([last["relative_displacement"], last["velocity"]])
 
 

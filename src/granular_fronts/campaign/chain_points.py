@@ -32,8 +32,7 @@ from granular_fronts.chain.recording import extremes_of_all, fitted_speed
 from granular_fronts.chain.run import Run, integrate, integrate_in_halves, prepare
 from granular_fronts.chain.state import U
 from granular_fronts.errors import SolveError
-from granular_fronts.scenes.laws import energies_are_representable
-from granular_fronts.scenes.validation import raise_if_any
+from granular_fronts.scenes.chain import Chain
 
 REFINED_EVERY = 25
 ERROR_METHOD = f"difference to solving one point in {REFINED_EVERY} with each step in two halves"
@@ -59,7 +58,7 @@ class _Motion(NamedTuple):
     """A run that has ended, its scene, ends of steps, units of length and speed."""
 
     run: Run
-    scene: dict
+    scene: Chain
     ends: np.ndarray
     length: float
     speed: float
@@ -77,18 +76,16 @@ def _solve_point(point, law, tolerance):
     """Follow one chain, a `_Motion`."""
     if law is None:
         scene, length, c = normalised_scene(point, tolerance), 1.0, 1.0
-        # Of all checks of a scene, the one that the axes of a campaign have not passed.
-        raise_if_any([*energies_are_representable(scene)])
     else:
         scene, length, c = scene_of_law(point, law, tolerance)
     run = prepare(scene)
-    return _Motion(run, scene, integrate(run, scene["tolerance"]), length, c)
+    return _Motion(run, run.scene, integrate(run, run.scene.tolerance), length, c)
 
 
 def _solve_in_halves(motion):
     """Follow the chain of a `_Motion` again, with two steps for each of its own."""
     run = prepare(motion.scene)
-    ends = integrate_in_halves(run, motion.scene["tolerance"], motion.ends)
+    ends = integrate_in_halves(run, motion.scene.tolerance, motion.ends)
     return motion._replace(run=run, ends=ends)
 
 
@@ -114,7 +111,7 @@ def _in_units(variables, motion):
 
 def _measures(motion, beads):
     """Return measures of one chain in units of δ and 1/c, and its final u at the given beads."""
-    recording, count = motion.run.recording, motion.scene["beads"]
+    recording, count = motion.run.recording, motion.scene.beads.count
     speed = fitted_speed(recording.arrival[TIME, 1 : count + 1])
     peak = recording.first_peak[VALUE, count // 2]
     if not np.isfinite([speed, peak]).all():

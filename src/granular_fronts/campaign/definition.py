@@ -20,7 +20,7 @@ from granular_fronts.campaign.kinds import KINDS, Kind
 from granular_fronts.campaign.laws import PREFIX, errors_of_law, name_of, varied_numbers
 from granular_fronts.campaign.motion_scenes import name_in_grid, point_errors, scene_errors
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.limits import NUMBERS_PER_BEAD, Held, memory_errors
+from granular_fronts.scenes.memory import NUMBERS_PER_BEAD, Held, memory_problems
 from granular_fronts.scenes.schema import violations
 from granular_fronts.scenes.sections import ranges_increase
 from granular_fronts.scenes.validation import raise_if_any
@@ -287,15 +287,17 @@ def _size_errors(kind, given) -> Iterator[str]:
     record, axes = given.get("record", {}), given["axes"]
     kept = len(record.get("scalars", kind.scalars)) + record.get("profile", {}).get("count", 0)
     counts = {f"axes.{axis}": float(_count_values(values)) for axis, values in axes.items()}
-    held: Held = {(axis,): NUMBERS_PER_VALUE * count for axis, count in counts.items()}
-    held[*counts] = held.get((*counts,), 0.0) + math.prod(counts.values()) * kept
+    asked = {f"axes.{axis}": values for axis, values in axes.items()}
+    held = [Held({axis: asked[axis]}, NUMBERS_PER_VALUE * n) for axis, n in counts.items()]
+    held.append(Held(asked, math.prod(counts.values()) * kept))
     if "beads" in given.get("fixed", {}):
-        held["fixed.beads",] = NUMBERS_PER_BEAD * float(given["fixed"]["beads"])
+        beads = given["fixed"]["beads"]
+        held.append(Held({"fixed.beads": beads}, NUMBERS_PER_BEAD * float(beads)))
     if "beads" in axes:
         values = axes["beads"]
         most = next(iter(values.values()))[1] if isinstance(values, Mapping) else values[-1]
-        held["axes.beads",] = NUMBERS_PER_BEAD * float(most)
-    yield from memory_errors(given, held)
+        held.append(Held({"axes.beads": values}, NUMBERS_PER_BEAD * float(most)))
+    yield from memory_problems(held)
 
 
 def _name_errors(kind_name, kind, axes, fixed, record) -> Iterator[str]:

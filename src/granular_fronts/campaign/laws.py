@@ -6,7 +6,8 @@ numbers.  The grid calls it ``elastic_rate``, a name that data can have.
 
 from collections.abc import Iterator, Mapping
 
-from granular_fronts.scenes.laws import law_errors
+from granular_fronts.errors import InputError
+from granular_fronts.model.laws import make_law
 
 PREFIX = "law."
 PARTS = ("elastic", "viscous")
@@ -38,5 +39,8 @@ def errors_of_law(law: Mapping, grid: Mapping) -> Iterator[str]:
     for name in [None, *varied_numbers(grid)]:
         for end in (0, -1):
             point = middle | ({} if name is None else {name: grid[name][end]})
-            found |= dict.fromkeys(law_errors({"law": law_at(law, point)}))
+            try:
+                make_law(law_at(law, point))
+            except InputError as error:
+                found[f"law: {error}"] = None
     yield from found

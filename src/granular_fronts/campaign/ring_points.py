@@ -19,6 +19,7 @@ from granular_fronts.campaign.points import groups_along, solve_groups
 from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.errors import InputError
 from granular_fronts.model.amplitude_scaling import SlowScales, gamma_for
+from granular_fronts.scenes.ring import GivenForce
 from granular_fronts.studies.ring_limit import Ring, compare
 from granular_fronts.studies.ring_starts import scene_start
 
@@ -76,7 +77,7 @@ def make_ring(point, start):
     half_beads = _half_beads(point, scaling)
     half_length = scaling.half_length(half_beads)
     if start["profile"] == "given":
-        wave = {"kind": "given", "rescaled_force": start["rescaled_force"]}
+        wave = GivenForce(kind="given", rescaled_force=start["rescaled_force"])
         _check_given(wave, half_length)
     else:
         _check_wave(start["profile"], point, half_length, scaling.epsilon)
@@ -107,7 +108,7 @@ def _half_beads(point, scaling):
 
 def _check_given(wave, half_length):
     """Raise unless the trigonometric polynomial through given values stays above 0."""
-    places = PLACES_BETWEEN * (len(wave["rescaled_force"]) - 1)
+    places = PLACES_BETWEEN * (len(wave.rescaled_force) - 1)
     xi = np.linspace(-half_length, half_length, places, endpoint=False)
     least = make_start(wave).values(xi, half_length).min()
     if not least > 0.0:

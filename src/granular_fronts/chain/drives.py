@@ -15,14 +15,13 @@ for the amplitude and :math:`\varphi_k + \pi/2` for the phase; and
         \frac{\sin\tfrac12\omega_k s}{\tfrac12\omega_k s} .
 """
 
-from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from granular_fronts.chain.state import DRIVE
-from granular_fronts.scenes.drives import pieces_of
+from granular_fronts.scenes.drives import Piece
 
 
 class Drive(NamedTuple):
@@ -31,7 +30,8 @@ class Drive(NamedTuple):
     Examples
     --------
     >>> from granular_fronts.chain.drives import make_drive
-    >>> drive = make_drive({"force": {"pulse": {"height": 2.0, "duration": 3.0}}})
+    >>> from granular_fronts.scenes.drives import Pulse
+    >>> drive = make_drive(Pulse(height=2.0, duration=3.0).pieces())
     >>> drive.value([1.0, 4.0]).tolist(), drive.integral(4.0).item()
     ([2.0, 0.0], 6.0)
     """
@@ -74,7 +74,6 @@ class Drive(NamedTuple):
         return Drive(pieces)
 
 
-def make_drive(boundary: Mapping[str, Any]) -> Drive | None:
-    """Return the drive of a boundary of a scene, None if its left end is held."""
-    pieces = pieces_of(boundary)
+def make_drive(pieces: list[Piece]) -> Drive | None:
+    """Return the drive of these pieces, None without any: then the left end is held."""
     return Drive(np.array(pieces, DRIVE)) if pieces else None

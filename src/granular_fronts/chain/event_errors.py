@@ -28,7 +28,6 @@ from granular_fronts.chain.recording import (
     speed_and_error,
 )
 from granular_fronts.numerics.compiled import kernel
-from granular_fronts.scenes.beads import bead_count
 
 # States are compared at times a factor of 2 apart: one of them is always near.
 NEAR, RECENT, FEW = 2, math.sqrt(2.0), 5
@@ -59,7 +58,7 @@ def event_errors(scene, recording, refined, contacts):
     if np.isnan(recording.level) and not recording.track_extremes:
         return {}
     names = ("arrival", "opening", "first_peak", "largest", "smallest")
-    runs, every = (recording, refined), np.s_[:, 1 : bead_count(scene) + 1]
+    runs, every = (recording, refined), np.s_[:, 1 : scene.beads.count + 1]
     events = {name: tuple(getattr(one, name)[every] for one in runs) for name in names}
     profiles = [of[every] for one in runs for of in (one.profile_u, one.profile_d)]
     rows = np.searchsorted(recording.profile_times, monitor_times(scene))
@@ -95,7 +94,7 @@ def event_errors(scene, recording, refined, contacts):
             errors |= _of_extreme(kind, samples, event, rounding, *both)
     # No time is wrong by more than the motion lasts.
     return {
-        name: min(error, scene["end_time"]) if name.endswith("_time") and error < np.inf else error
+        name: min(error, scene.end_time) if name.endswith("_time") and error < np.inf else error
         for name, error in errors.items()
     }
 

@@ -11,24 +11,25 @@ import math
 import numpy as np
 
 from granular_fronts.accuracy import Estimate, certain_sign, estimate, recorded, rounded
+from granular_fronts.scenes.chain import read_chain
 
 # A maximum of the mean compression counts if its prominence is this fraction of δ.
 PROMINENCE = 0.1
 
 
 def scene_of(dataset):
-    """Return the scene that a dataset was computed from."""
-    return json.loads(dataset.attrs["config"])
+    """Return the scene of a chain that a dataset was computed from."""
+    return read_chain(json.loads(dataset.attrs["config"]))
 
 
 def _applied_displacement(dataset):
     """Return δ of eq. (25)."""
-    return scene_of(dataset)["boundary"]["left"]
+    return scene_of(dataset).boundary.left
 
 
 def predicted_speed(dataset):
     """Return the speed (21) of a front into an uncompressed chain, James (2021), k = m = 1."""
-    speed = _applied_displacement(dataset) ** ((scene_of(dataset)["law"]["alpha"] - 1.0) / 2.0)
+    speed = _applied_displacement(dataset) ** ((scene_of(dataset).law.alpha - 1.0) / 2.0)
     return rounded(speed)
 
 
@@ -39,7 +40,7 @@ def front_speed(dataset):
 
 def force_overshoot(dataset):
     """Return the largest elastic force of the passing front at mid-chain, over the pressure."""
-    alpha = scene_of(dataset)["law"]["alpha"]
+    alpha = scene_of(dataset).law.alpha
     peaks = dataset["first_peak"]
     peak = float(peaks.sel(bead=dataset.sizes["bead"] // 2)) / _applied_displacement(dataset)
     error = alpha * peak ** (alpha - 1.0) * peaks.attrs["error_estimate"]
@@ -120,7 +121,7 @@ def smallest_velocity_behind(dataset):
 def momentum_growth(dataset):
     """Return Σẋ_n at the end of the run over δ^α t, the law quoted in section 3.3."""
     total = dataset["total_velocity"].isel(t_grid=-1)
-    alpha = scene_of(dataset)["law"]["alpha"]
+    alpha = scene_of(dataset).law.alpha
     exact = _applied_displacement(dataset) ** alpha * float(total["t_grid"])
     return recorded(total) / exact
 

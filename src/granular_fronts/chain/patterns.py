@@ -11,28 +11,22 @@ For n = 1 … N, what the keys of a pattern give is multiplied:
 An `impurity` then replaces the value at a single place.
 """
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 
-from granular_fronts.scenes.beads import impurities
+from granular_fronts.scenes.beads import Pattern
 
 
-def values_along(pattern: float | Mapping[str, Any], count: int) -> np.ndarray:
+def values_along(pattern: Pattern, count: int) -> np.ndarray:
     """Return the values of a pattern, shape (count,)."""
-    if not isinstance(pattern, Mapping):
-        return np.full(count, float(pattern))
     place = np.arange(count)
-    values = np.resize(np.asarray(pattern.get("cell", [1.0]), dtype=float), count)
-    taper = pattern.get("taper", {})
-    values = (
-        values * taper.get("ratio", 1.0) ** place * (1.0 + taper.get("difference", 0.0) * place)
-    )
-    if "random" in pattern:
-        draw = np.random.default_rng(pattern["random"]["seed"]).random(count)
-        values *= 1.0 + pattern["random"]["spread"] * (2.0 * draw - 1.0)
-    values *= np.asarray(pattern.get("list", 1.0), dtype=float)
-    for place, value in impurities(pattern):
-        values[place - 1] = value
+    values = np.resize(pattern.cell or (1.0,), count)
+    if pattern.taper:
+        values = values * pattern.taper.ratio**place * (1.0 + pattern.taper.difference * place)
+    if pattern.random:
+        draw = np.random.default_rng(pattern.random.seed).random(count)
+        values = values * (1.0 + pattern.random.spread * (2.0 * draw - 1.0))
+    if pattern.list is not None:
+        values = values * np.asarray(pattern.list)
+    for number, value in pattern.placed().items():
+        values[number - 1] = value
     return values

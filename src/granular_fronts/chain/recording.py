@@ -32,7 +32,6 @@ from granular_fronts.errors import SolveError
 from granular_fronts.numerics.grids import regular_points
 from granular_fronts.numerics.records import make_record
 from granular_fronts.numerics.runge_kutta import DEGREE
-from granular_fronts.scenes.beads import bead_count
 
 # The front's speed is fitted over these fractions of the chain: past the transient of the start,
 # before the far end.
@@ -44,22 +43,22 @@ MONITORS = np.arange(11, -1, -1)
 
 def _grid_times(scene):
     """Return the times of the space-time grid, empty if the scene records none."""
-    if "grid" not in scene["record"]:
-        return np.empty(0)
-    return regular_points(0.0, scene["end_time"], scene["record"]["grid"]["step"])
+    grid = scene.record.grid
+    return regular_points(0.0, scene.end_time, grid.step) if grid else np.empty(0)
 
 
 def monitor_times(scene):
     """Return the times at which two runs are compared, if events are recorded."""
-    events = {"arrival_level", "extremes"} & set(scene["record"])
-    return np.ldexp(float(scene["end_time"]), -MONITORS) if events else np.empty(0)
+    record = scene.record
+    has_events = record.arrival_level is not None or record.extremes
+    return np.ldexp(scene.end_time, -MONITORS) if has_events else np.empty(0)
 
 
 def _probe_samples(scene):
     """Return times and beads of each probe set by name, and of all samples, set after set."""
     probes = {
-        name: (regular_points(probe["start"], probe["stop"], probe["step"]), probe["beads"])
-        for name, probe in scene["record"].get("probes", {}).items()
+        name: (regular_points(probe.start, probe.stop, probe.step), [*probe.beads])
+        for name, probe in scene.record.probes.items()
     }
     times = [np.repeat(moments, len(beads)) for moments, beads in probes.values()]
     beads = [np.tile(beads, moments.size) for moments, beads in probes.values()]
@@ -73,8 +72,8 @@ def make_recording(scene, chain, u, breaks):
     t = 0, and `breaks` are the break points of a drive.
     """
     columns, moving = u.size, u[1 : chain.contacts + 1]
-    record = scene["record"]
-    snapshots = np.asarray(record["snapshots"], dtype=float)
+    record = scene.record
+    snapshots = np.asarray(record.snapshots, dtype=float)
     moments = [snapshots, _grid_times(scene), monitor_times(scene), *times_of_states(scene)]
     profile_times = np.unique(np.concatenate(moments))
     _, times, beads = _probe_samples(scene)
@@ -83,9 +82,9 @@ def make_recording(scene, chain, u, breaks):
     largest, smallest = np.full((2, END_TIME + 1, columns), np.nan)
     for event, none in ((largest, -np.inf), (smallest, np.inf)):
         event[[VALUE, RIVAL]], event[END], event[END_TIME] = none, u, 0.0
-    level = float(record.get("arrival_level", np.nan))
+    level = np.nan if record.arrival_level is None else record.arrival_level
     return recorder.Recording(
-        stops=_stops(float(scene["end_time"]), np.append(snapshots, breaks)),
+        stops=_stops(scene.end_time, np.append(snapshots, breaks)),
         profile_times=profile_times,
         profile_u=np.full((profile_times.size, columns), chain.ahead),
         profile_d=np.zeros((profile_times.size, columns)),
@@ -102,8 +101,8 @@ def make_recording(scene, chain, u, breaks):
         smallest=smallest,
         extremes=np.array([moving.max(), moving.min()]),
         coefficients=np.zeros(DEGREE + 1),
-        track_extremes=bool(record.get("extremes", False)),
-        track_energy=bool(record.get("balances", False)),
+        track_extremes=record.extremes,
+        track_energy=record.balances,
     )
 
 
@@ -130,14 +129,14 @@ class Recorded(NamedTuple):
         return self.variables[name][1]
 
 
-def collect(scene, run):
-    """Return what a run of a scene has recorded, as `Recorded`."""
-    recording, next_ = run.recording, run.recording.next
+def collect(run):
+    """Return what a run has recorded, as `Recorded`."""
+    scene, recording, next_ = run.scene, run.recording, run.recording.next
     if next_.profile < recording.profile_times.size or next_.sample < recording.samples.size:
         raise SolveError(f"The run ended at t = {run.clock.t:.17g}, before its last output.")
     contacts = int(run.chain.contacts)
     attributes = {"contacts": contacts, "contacts_open": int(not run.chain.law.attraction)}
-    beads = {"bead": np.arange(1, bead_count(scene) + 1)}
+    beads = {"bead": np.arange(1, scene.beads.count + 1)}
     recorded = Recorded({}, beads, attributes, _rounding_of_velocity(run))
     _add_profiles(recorded, scene, run)
     _add_probes(recorded, scene, run)
@@ -169,12 +168,12 @@ def _states_at(run, times):
 
 
 def _add_profiles(recorded, scene, run):
-    recording, boundary, beads = run.recording, run.boundary, bead_count(scene)
+    recording, boundary, beads = run.recording, run.boundary, scene.beads.count
     if run.beads.varied:
         recorded.variables["mass"] = ("bead",), run.beads.mass
     if boundary.holds_right:
         recording.profile_u[:, beads] = boundary.right
-    snapshots, grid = np.asarray(scene["record"]["snapshots"], dtype=float), _grid_times(scene)
+    snapshots, grid = np.asarray(scene.record.snapshots, dtype=float), _grid_times(scene)
     for times, along, suffix in ((snapshots, "t", ""), (grid, "t_grid", "_grid")):
         if suffix and not times.size:
             continue
@@ -194,7 +193,7 @@ def _add_probes(recorded, scene, run):
     samples[np.argsort(times, kind="stable")] = run.recording.samples
     if run.boundary.holds_right:
         # The engine keeps the last bead itself where the held contact has its place.
-        samples[beads == bead_count(scene)] = run.boundary.right
+        samples[beads == scene.beads.count] = run.boundary.right
     for name, (moments, places) in probes.items():
         own, samples = np.split(samples, [moments.size * len(places)])
         dims = (f"t_{name}", f"bead_{name}")
@@ -227,7 +226,7 @@ def speed_and_error(arrival: np.ndarray, errors: np.ndarray) -> tuple[float, flo
 
 
 def _arrivals(scene, recording):
-    every = slice(1, bead_count(scene) + 1)
+    every = slice(1, scene.beads.count + 1)
     arrival = recording.arrival[TIME, every]
     variables = {"arrival_time": (("bead",), arrival), "front_speed": ((), fitted_speed(arrival))}
     if recording.track_extremes:

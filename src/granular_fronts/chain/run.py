@@ -24,16 +24,12 @@ from granular_fronts.chain.state import D, U
 from granular_fronts.chain.strain import end_of_window
 from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model import kinds
-from granular_fronts.model.laws import Law, make_law
+from granular_fronts.model.laws import Law
 from granular_fronts.model.passes import NEGLIGIBLE, row_map, row_parameters
 from granular_fronts.numerics.records import make_record
 from granular_fronts.numerics.runge_kutta import STAGES
-from granular_fronts.scenes.beads import (
-    bead_count,
-    contact_count,
-    elastic_pattern,
-    mass_pattern,
-)
+from granular_fronts.scenes.chain import Chain, Given, Striker, Tolerance, read_chain
+from granular_fronts.scenes.sentences import read_part
 
 FIRST_STEP = 1.0e-6
 STEPS_PER_BLOCK = 2000
@@ -53,6 +49,7 @@ SMALL_EXTENSION = 1.0e-3
 class Run(NamedTuple):
     """One integration of a scene: everything that it works on."""
 
+    scene: Chain
     law: Law
     boundary: Boundary
     beads: Beads
@@ -71,26 +68,18 @@ class Run(NamedTuple):
         return self.table[row, 1 : self.chain.beads + 1]
 
 
-def prepare(scene: Mapping[str, Any]) -> Run:
-    """Return the run of a checked scene, ready at t = 0.
-
-    Forces of the start or the boundary that overflow are a SolveError.
-    """
-    law = make_law(scene["law"])
+def prepare(scene: Mapping[str, Any] | Chain) -> Run:
+    """Return the run of a scene, ready at t = 0."""
+    scene = read_chain(scene)
+    law = scene.law
     boundary, beads = make_boundary(scene), make_beads(scene)
     u, velocity = initial_state(scene, law, boundary, beads)
-    with np.errstate(over="ignore", invalid="ignore"):
-        chain, table = make_chain(law, boundary, u, velocity, beads)
-        integrator.begin(chain, table)
-    if not (np.isfinite(table[D]).all() and np.isfinite(table[state.FORCE]).all()):
-        raise SolveError(
-            "The forces at t = 0 overflow double precision: scale the boundary values and the "
-            "start down, eq. (27)."
-        )
+    chain, table = make_chain(law, boundary, u, velocity, beads)
+    integrator.begin(chain, table)
     breaks = boundary.drive.breaks if boundary.drive else np.empty(0)
     recording = make_recording(scene, chain, table[U], breaks)
     momentum = float((beads.mass * velocity).sum())
-    run = Run(law, boundary, beads, chain, table, recording, momentum)
+    run = Run(scene, law, boundary, beads, chain, table, recording, momentum)
     _note_openings(run, u, velocity, chain.contacts)
     return run
 
@@ -118,7 +107,7 @@ def _state(run):
 
 def integrate(
     run: Run,
-    tolerance: Mapping[str, float],
+    tolerance: Mapping[str, float] | Tolerance,
     after_block: Callable[[Run], None] = lambda run: None,
 ) -> np.ndarray:
     """Advance a run to its end; returns the times at which steps ended.
@@ -129,13 +118,13 @@ def integrate(
     A SolveError says that the step size collapsed, that the state is no longer finite, or that for
     α < 1 a contact opened.
     """
-    relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
+    asked = read_part(Tolerance, tolerance, "tolerance: ")
     blocks = []
 
     def advance(run):
         before, ends = run.clock.accepted, np.empty(STEPS_PER_BLOCK)
         status = integrator.advance(
-            run.chain, run.table, run.recording, relative, absolute, ends, False
+            run.chain, run.table, run.recording, asked.relative, asked.absolute, ends, False
         )
         blocks.append(ends[: run.clock.accepted - before].copy())
         return status
@@ -146,7 +135,7 @@ def integrate(
 
 def integrate_in_halves(
     run: Run,
-    tolerance: Mapping[str, float],
+    tolerance: Mapping[str, float] | Tolerance,
     ends: np.ndarray,
     after_block: Callable[[Run], None] = lambda run: None,
 ) -> np.ndarray:
@@ -158,7 +147,8 @@ def integrate_in_halves(
     """
     halves = np.union1d(ends, 0.5 * (np.append(0.0, ends[:-1]) + ends))
     halves = halves[halves > 0.0]
-    least = [tolerance[kind] * GAIN_OF_HALVES for kind in ("relative", "absolute")]
+    asked = read_part(Tolerance, tolerance, "tolerance: ")
+    least = asked.relative * GAIN_OF_HALVES, asked.absolute * GAIN_OF_HALVES
 
     def follow(run):
         first = np.searchsorted(halves, run.clock.t, side="right")
@@ -190,44 +180,42 @@ def _advance(run, advance, after_block):
             raise SolveError(_cause(status, run))
 
 
-def make_boundary(scene: Mapping[str, Any]) -> Boundary:
+def make_boundary(scene: Chain) -> Boundary:
     """Boundary conditions (25) or (26) of a scene, with its drive."""
-    boundary = scene["boundary"]
-    left, right = (float(boundary.get(end, 0.0)) for end in ("left", "right"))
-    ring, piston, wall = (boundary["kind"] == kind for kind in ("ring", "piston", "wall"))
-    return Boundary(ring, left, right, make_drive(boundary), piston, wall)
+    boundary = scene.boundary
+    ring, piston, wall = (boundary.kind == kind for kind in ("ring", "piston", "wall"))
+    drive = make_drive(boundary.pieces())
+    return Boundary(ring, boundary.left_end, boundary.right_end, drive, piston, wall)
 
 
-def make_beads(scene: Mapping[str, Any]) -> Beads:
+def make_beads(scene: Chain) -> Beads:
     """Masses, factors of contacts and body force of a scene, by its patterns."""
-    count, contacts = bead_count(scene), scene.get("contacts", {})
-    gravity = float(scene.get("gravity", 0.0))
-    mass, elastic = mass_pattern(scene), elastic_pattern(scene)
-    if mass == 1.0 and elastic == 1.0 and not contacts:
-        return Beads(gravity=gravity)
+    count, mass, elastic = scene.beads.count, scene.beads.masses(), scene.elastic
+    if mass.is_one and elastic.is_one and not scene.contacts.model_fields_set:
+        return Beads(gravity=scene.gravity)
 
     def along(pattern):
         # The held contact at the right end has a force of its own.
-        values = values_along(pattern, contact_count(scene))
+        values = values_along(pattern, scene.contact_count)
         return np.append(values, [1.0] * (count - values.size))
 
-    stiffness, viscosity = along(elastic), along(contacts.get("viscous", elastic))
-    return Beads(values_along(mass, count), stiffness, viscosity, gravity)
+    stiffness, viscosity = along(elastic), along(scene.contacts.viscous or elastic)
+    return Beads(values_along(mass, count), stiffness, viscosity, scene.gravity)
 
 
 def initial_state(
-    scene: Mapping[str, Any], law: Law, boundary: Boundary, beads: Beads = EQUAL
+    scene: Chain, law: Law, boundary: Boundary, beads: Beads = EQUAL
 ) -> tuple[np.ndarray, np.ndarray]:
     """Relative displacements and velocities at t = 0, both of shape (N,)."""
-    count, start = bead_count(scene), scene["start"]
+    count, start = scene.beads.count, scene.start
     u, velocity = np.zeros(count), np.zeros(count)
-    if start["kind"] in ("equilibrium", "striker"):
+    if start.kind in ("equilibrium", "striker"):
         u[:] = equations.equilibrium(law, boundary, beads, count)
-        velocity[: start.get("beads", 0)] = start.get("velocity", 0.0)
-    elif start["kind"] == "given":
-        given = np.asarray(start["relative_displacement"], dtype=float)
-        u[: given.size] = given
-        velocity[:] = start["velocity"]
+    if isinstance(start, Striker):
+        velocity[: start.beads] = start.velocity
+    elif isinstance(start, Given):
+        u[: scene.contact_count] = start.relative_displacement
+        velocity[:] = start.velocity
     if boundary.piston:
         velocity[0] = boundary.drive.value(0.0)
     if boundary.holds_right:

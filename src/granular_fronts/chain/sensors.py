@@ -35,10 +35,9 @@ from granular_fronts.numerics.grids import regular_points
 
 def _times(scene):
     """Return the times of each sensor by its name."""
-    sensors = scene["record"].get("sensors", {})
     return {
-        name: regular_points(sensor["start"], sensor["stop"], sensor["step"])
-        for name, sensor in sensors.items()
+        name: regular_points(sensor.start, sensor.stop, sensor.step)
+        for name, sensor in scene.record.sensors.items()
     }
 
 
@@ -51,7 +50,7 @@ def times_of_states(scene):
 def read_sensors(scene, run, states_at):
     """Return variables and coordinates of each sensor; `states_at(run, times)` gives u and ẋ."""
     for name, times in _times(scene).items():
-        sensor, at_start = scene["record"]["sensors"][name], states_at(run, np.zeros(1))
+        sensor, at_start = scene.record.sensors[name], states_at(run, np.zeros(1))
         u, velocity = states_at(run, times)
         force = equations.transmitted_forces(u, velocity, run.boundary, run.law, run.beads)
         behind = equations.forces_behind(force, run.boundary, run.law, run.beads, times)
@@ -71,7 +70,7 @@ def read_sensors(scene, run, states_at):
             },
         }
         for place, fields in series.items():
-            numbers = np.array(sensor.get(f"{place}s", []), dtype=int)
+            numbers = np.array(getattr(sensor, f"{place}s") or (), dtype=int)
             if numbers.size:
                 dims = (f"t_{name}", f"{place}_{name}")
                 values = {

@@ -1,8 +1,8 @@
 r"""From a scene to a dataset: front initiation and every other driven or periodic chain.
 
-A scene is the mapping that the configuration holds under `scenes: chain:`; its keys are described
-in `workflow/schemas/config.schema.yaml`.  The motion is integrated in strain form (`strain`) with
-the adaptive pair of `integrator`.
+A scene is the mapping that the configuration holds under `scenes: chain:`, or the `Chain` that
+`granular_fronts.scenes.chain` makes of it, where its keys are described.  The motion is integrated
+in strain form (`strain`) with the adaptive pair of `integrator`.
 
 Accuracy.  Every scene is integrated again, with two steps for each of the first run.  The runs thus
 differ from the first step on.  An error of truncation is smaller by 2⁸ in the second run.  The
@@ -27,8 +27,7 @@ from granular_fronts.chain.recording import Recorded, collect
 from granular_fronts.chain.run import integrate, integrate_in_halves, prepare, work_done
 from granular_fronts.errors import SolveError
 from granular_fronts.output.datasets import name_variables
-from granular_fronts.scenes.beads import bead_count
-from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.chain import Chain, Periodic, read_chain
 
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
 ERROR_METHOD = "largest difference to a run that takes each step in two halves"
@@ -55,12 +54,12 @@ class Solution(NamedTuple):
         return self.recorded.dataset
 
 
-def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
+def simulate_chain(scene: Mapping[str, Any] | Chain, name: str = "given") -> xr.Dataset:
     """Integrate one chain scene and estimate the errors of what it records.
 
     Parameters
     ----------
-    scene : mapping
+    scene : mapping or granular_fronts.Chain
         Law, beads, boundary, start, end_time, tolerance, record; contacts and gravity if wanted.
         Dimensionless, James (2021), eq. (28), with masses if `beads` names them.
     name : str, optional
@@ -96,30 +95,31 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     >>> round(motion["relative_displacement"].sel(t=20.0, bead=1).item(), 6)
     0.099168
     """
-    scene = check_scene("chain", scene, name)
-    solution = solve(scene, scene["tolerance"], f"scene {name}, solving")
+    scene = read_chain(scene, name)
+    solution = solve(scene, activity=f"scene {name}, solving")
     refined = refine(scene, solution, f"scene {name}, estimating the error")
     return _with_error_estimates(scene, solution, refined)
 
 
 def simulate_once(scene, name="given"):
     """Integrate like `simulate_chain`, but once, for measures with error estimates of their own."""
-    scene = check_scene("chain", scene, name)
-    return solve(scene, scene["tolerance"], f"scene {name}, solving").dataset
+    return solve(read_chain(scene, name), activity=f"scene {name}, solving").dataset
 
 
-def solve(scene, tolerance, activity="solving"):
-    """Integrate a checked scene once, at a `relative` and `absolute` tolerance per step.
+def solve(scene, tolerance=None, activity="solving"):
+    """Integrate a scene once, at its tolerance per step or at another.
 
     The activity heads the progress line and the sentence of a failure.
     """
-    return _follow(scene, activity, integrate, tolerance)
+    scene = read_chain(scene)
+    return _follow(scene, activity, integrate, tolerance or scene.tolerance)
 
 
 def refine(scene, solution, activity="estimating the error"):
     """Integrate a scene again, with two steps for each of a `Solution`; the rest as in `solve`."""
+    scene = read_chain(scene)
     in_halves = functools.partial(integrate_in_halves, ends=solution.ends)
-    return _follow(scene, activity, in_halves, scene["tolerance"])
+    return _follow(scene, activity, in_halves, scene.tolerance)
 
 
 def _follow(scene, activity, integrate, tolerance):
@@ -129,7 +129,7 @@ def _follow(scene, activity, integrate, tolerance):
         balances = Balances(run)
         # The times themselves have too many digits to be shown.
         style = "{desc}: {percentage:3.0f}%|{bar}| [{elapsed}<{remaining}]"
-        total = scene["end_time"]
+        total = scene.end_time
         with tqdm(total=total, desc=activity, bar_format=style, delay=2.0, disable=None) as bar:
 
             def after_block(run):
@@ -141,7 +141,7 @@ def _follow(scene, activity, integrate, tolerance):
             ends = integrate(run, tolerance, after_block=after_block)
     except SolveError as error:
         raise SolveError(f"{activity}: {error}") from error
-    return Solution(collect(scene, run), work_done(run), balances.drifts(), run.recording, ends)
+    return Solution(collect(run), work_done(run), balances.drifts(), run.recording, ends)
 
 
 def _with_error_estimates(scene, solution, refined):
@@ -165,8 +165,8 @@ def _with_error_estimates(scene, solution, refined):
         own.variables[name] = dims, values, {"error_estimate": error, "error_method": method}
     own.attributes.update(
         solver=SOLVER,
-        relative_tolerance=float(scene["tolerance"]["relative"]),
-        absolute_tolerance=float(scene["tolerance"]["absolute"]),
+        relative_tolerance=scene.tolerance.relative,
+        absolute_tolerance=scene.tolerance.absolute,
         **solution.counts,
         **solution.drifts,
     )
@@ -178,11 +178,11 @@ def _error_of_sum(scene, own, other, name):
     error = 4.0 * rounding_floor(own.values(TERMS[name]))
     if name == "mean_relative_displacement":
         # The rounding of the rates adds up as time goes on.
-        error += scene["end_time"] * rounding_floor(own.values("velocity_grid"))
-        if scene["boundary"]["kind"] != "ring":
+        error += scene.end_time * rounding_floor(own.values("velocity_grid"))
+        if not isinstance(scene.boundary, Periodic):
             # The mean belongs to x_1 - x_N; the neighbours of these beads give further samples.
             difference = (other.values(TERMS[name]) - own.values(TERMS[name]))[:, :-1]
             total = difference.sum(axis=1)
             ends = (total, total - difference[:, 0], total - difference[:, -1])
-            error += np.abs(ends).max() / bead_count(scene)
+            error += np.abs(ends).max() / scene.beads.count
     return error

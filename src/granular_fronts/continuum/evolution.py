@@ -1,7 +1,7 @@
 r"""From a scene to a dataset: the amplitude equations (50), (40) and (55) on a ring.
 
 A scene is the mapping that the configuration holds under `scenes: periodic:`; its keys are
-described in `workflow/schemas/config.schema.yaml`.  Times of a scene are times t of the chain;
+described in `granular_fronts.scenes.ring`.  Times of a scene are times t of the chain;
 :math:`\tau = \tfrac12\gamma\varepsilon^2 c^2 t`.  How the equations are solved is described in
 `log_burgers.solution` and `log_kdv_burgers.solution`.
 
@@ -23,9 +23,8 @@ from granular_fronts.accuracy import error_attributes, refined_by
 from granular_fronts.continuum.log_burgers import solution as log_burgers
 from granular_fronts.continuum.log_kdv_burgers import solution as log_kdv_burgers
 from granular_fronts.errors import InputError
-from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.output.datasets import name_variables
-from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.ring import Ring, read_ring
 
 LOGARITHMIC, UNLIMITED, DISPERSIVE = "logarithmic", "unlimited", "dispersive"
 """Keys under `equations` of a scene: (50), the limit of (40); (40) itself; (55)."""
@@ -41,12 +40,12 @@ DISPERSIVE_ERROR_METHOD = (
 )
 
 
-def evolve_log_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
+def evolve_log_burgers(scene: Mapping[str, Any] | Ring, name: str = "given") -> xr.Dataset:
     """Solve the logarithmic Burgers equation, James (2021), eq. (50), for a periodic scene.
 
     Parameters
     ----------
-    scene : mapping
+    scene : mapping or granular_fronts.Ring
         One entry of `scenes.periodic` of the configuration.
     name : str, optional
         What error messages call the scene.
@@ -84,7 +83,7 @@ def evolve_log_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.Data
     return _evolve(scene, name, LOGARITHMIC)
 
 
-def evolve_unlimited(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
+def evolve_unlimited(scene: Mapping[str, Any] | Ring, name: str = "given") -> xr.Dataset:
     """Solve James (2021), eq. (40), before the limit α → 1, for a periodic scene.
 
     Parameters, result (with y for Y) and errors as of `evolve_log_burgers`.
@@ -92,12 +91,12 @@ def evolve_unlimited(scene: Mapping[str, Any], name: str = "given") -> xr.Datase
     return _evolve(scene, name, UNLIMITED)
 
 
-def evolve_log_kdv_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
+def evolve_log_kdv_burgers(scene: Mapping[str, Any] | Ring, name: str = "given") -> xr.Dataset:
     """Solve the logarithmic KdV–Burgers equation, James (2021), eq. (55), for a periodic scene.
 
     Parameters
     ----------
-    scene : mapping
+    scene : mapping or granular_fronts.Ring
         One entry of `scenes.periodic` of the configuration.
     name : str, optional
         What error messages call the scene.
@@ -137,16 +136,16 @@ def evolve_log_kdv_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.
 
 
 def _evolve(scene, name, equation):
-    scene = check_scene("periodic", scene, name)
-    if equation not in scene["equations"]:
+    scene = read_ring(scene, name)
+    resolution = getattr(scene.equations, equation)
+    if resolution is None:
         raise InputError(
             f"Scene {name}: equations.{equation} is missing, but its solution is wanted: give its "
             "cells and tolerance."
         )
-    times = np.asarray(scene["record"]["snapshots"], dtype=float)
+    times = np.asarray(scene.record.snapshots, dtype=float)
     solutions = solve_refined(scene, equation, times)
-    solution, scaling = solutions.usual, scaling_of(scene)
-    cells = scene["equations"][equation]["cells"]
+    solution, scaling, cells = solutions.usual, scene.scaling, resolution.cells
     xi = solution.half_length * (2.0 * np.arange(cells) + 1.0 - cells) / cells
     forces = solutions.map(
         lambda solved: np.array([solved.rescaled_force(row, xi) for row in range(times.size)])
@@ -170,13 +169,14 @@ def solve(scene, equation, times, cells, tolerance, levels=None, coarser=None, *
     """
     if equation == DISPERSIVE:
         return log_kdv_burgers.solve(scene, times, cells, tolerance, levels, coarser)
-    alpha = 1.0 if equation == LOGARITHMIC else scene["law"]["alpha"]
+    alpha = 1.0 if equation == LOGARITHMIC else scene.scaling.alpha
     return log_burgers.solve(scene, alpha, times, cells, tolerance, levels, **accuracy)
 
 
 def solve_refined(scene, equation, times):
     """Solve an equation of a checked scene, and once more on a finer grid; `Refined`."""
-    cells, tolerance = (scene["equations"][equation][key] for key in ("cells", "tolerance"))
+    resolution = getattr(scene.equations, equation)
+    cells, tolerance = resolution.cells, resolution.tolerance
     finer = partial(
         solve, scene, equation, times, CELL_REFINEMENT * cells, TOLERANCE_REFINEMENT * tolerance
     )

@@ -111,11 +111,6 @@ def make_slow_scales(alpha, gamma, delta):
     return SlowScales(alpha, gamma, scalar("delta", delta, above=0.0, advice="give a compression"))
 
 
-def scaling_of(scene):
-    """Return the scales of a checked periodic scene."""
-    return SlowScales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
-
-
 def gamma_for(alpha, delta, *, damping=None, epsilon=None, ratio=None, mu=None):
     r"""Return the strength γ of the viscous force that gives one of γc, ε, ε/γc and μ, for α and δ.
 

@@ -14,8 +14,9 @@ from typing import Any, NamedTuple
 
 from granular_fronts.errors import InputError
 from granular_fronts.referee.lammps_deck import damping_model
-from granular_fronts.scenes.limits import memory_errors
-from granular_fronts.scenes.schema import name_entry, violations
+from granular_fronts.scenes.memory import Held, memory_problems
+from granular_fronts.scenes.parts import name_entry
+from granular_fronts.scenes.schema import violations
 from granular_fronts.scenes.yaml_files import read_yaml
 
 ALPHA = 1.5
@@ -213,5 +214,5 @@ def _motion_errors(settings: Mapping[str, Any]) -> Iterator[str]:
                 f"{least} or more."
             )
         states = NUMBERS_OF_A_BEAD * chain["beads"] * intervals
-        keys = f"motions.{motion}.beads", f"motions.{motion}.end_time", "interval"
-        yield from memory_errors(settings, {keys: states})
+        asked = {f"motions.{motion}.{key}": chain[key] for key in ("beads", "end_time")}
+        yield from memory_problems([Held(asked | {"interval": settings["interval"]}, states)])

@@ -19,8 +19,7 @@ import numpy as np
 from granular_fronts.accuracy import with_refinement
 from granular_fronts.chain.run import make_beads
 from granular_fronts.errors import SolveError
-from granular_fronts.scenes.beads import bead_count
-from granular_fronts.scenes.drives import key_of_drive, largest_of, pieces_of, value_at_start
+from granular_fronts.scenes.chain import Chain, Equilibrium, Given, Piston, Striker, read_chain
 
 REAL = np.longdouble
 PI = 4 * np.arctan(REAL(1))
@@ -142,23 +141,32 @@ class Motion:
 
     Parameters
     ----------
-    scene : mapping
+    scene : mapping or granular_fronts.Chain
         A chain scene, as `simulate_chain` takes it, but no start in equilibrium.
     tolerance : float, optional
         Error of a step, relative to the size of the motion.
+    start : tuple of arrays, optional
+        Relative displacements and velocities at t = 0 in extended precision, for those of a given
+        start, which a scene holds in double precision.
     """
 
-    def __init__(self, scene: Mapping[str, Any], tolerance: Any = TOLERANCE) -> None:
+    def __init__(
+        self,
+        scene: Mapping[str, Any] | Chain,
+        tolerance: Any = TOLERANCE,
+        start: tuple[np.ndarray, np.ndarray] | None = None,
+    ) -> None:
         if np.finfo(REAL).nmant < 63:
             raise SolveError(
                 f"numpy.longdouble has a significand of {np.finfo(REAL).nmant + 1} bits here and "
                 "64 are needed for a reference: measure the hard cases on an x86-64 machine."
             )
-        self.beads, boundary = bead_count(scene), scene["boundary"]
-        self.forces, self.kinked = forces(scene["law"])
-        self.ring, self.wall = (boundary["kind"] == kind for kind in ("ring", "wall"))
+        scene = read_chain(scene)
+        self.beads, boundary = scene.beads.count, scene.boundary
+        self.forces, self.kinked = forces(scene.law.describe())
+        self.ring, self.wall = (boundary.kind == kind for kind in ("ring", "wall"))
         varied = make_beads(scene)
-        if scene["start"]["kind"] == "equilibrium":
+        if isinstance(scene.start, Equilibrium):
             raise SolveError("The reference knows no equilibrium: list the start.")
         self.mass, *factors = (np.ones(self.beads, dtype=REAL) * part for part in varied[:3])
         contacts = slice(None if self.ring or self.wall else -1)
@@ -166,13 +174,14 @@ class Motion:
         self.gravity = REAL(varied.gravity)
         # The most that a contact's force does to a bead, over that of the law to a bead of mass 1.
         self.strength = max(factor.max() for factor in factors) / self.mass.min()
-        self.driven = key_of_drive(boundary)
-        self.pieces = np.array(pieces_of(boundary), dtype=REAL).T
+        self.pieces = np.array(boundary.pieces(), dtype=REAL).T
+        driven = "velocity" if isinstance(boundary, Piston) else "force"
+        self.driven = driven if self.pieces.size else None
         self.piece = 0
-        ends = np.array([boundary.get("left", 0), boundary.get("right", 0)], dtype=REAL)
+        ends = np.array([boundary.left_end, boundary.right_end], dtype=REAL)
         self.right = ends[1]
         self.held = self.forces(ends)
-        u, velocity = self._start(scene["start"], boundary)
+        u, velocity = start or self._start(scene.start, boundary.at_start)
         self.turn = u.sum() if self.ring else REAL(0)
         x = np.concatenate([[REAL(0)], -np.cumsum(u)])[: self.beads]
         if self.wall:
@@ -183,24 +192,24 @@ class Motion:
             shift[0] = velocity[0]
         state = np.concatenate([x, velocity - shift])
         weight = np.abs(self.gravity) * self.mass.sum()
-        driven = np.array([*u, *velocity, *ends, largest_of(boundary), weight])
+        driven = np.array([*u, *velocity, *ends, boundary.largest, weight])
         self.size = np.abs(driven).max()
         self.tolerance = tolerance * self.size
         self.steps: list[Step] = []
-        now, end = REAL(0), REAL(scene["end_time"])
+        now, end = REAL(0), REAL(scene.end_time)
         breaks = self.pieces[0][1:] if self.driven else np.empty(0)
         for self.piece, goal in enumerate([*breaks[breaks < end], end]):
             state = self._advance(now, goal, state)
             now = goal
 
-    def _start(self, start, boundary):
+    def _start(self, start, at_start):
         u, velocity = np.zeros_like(self.elastic_factor), np.zeros(self.beads, dtype=REAL)
-        if start["kind"] == "striker":
-            velocity[: start["beads"]] = start["velocity"]
-        elif start["kind"] == "given":
-            u[:], velocity[:] = start["relative_displacement"], start["velocity"]
+        if isinstance(start, Striker):
+            velocity[: start.beads] = start.velocity
+        elif isinstance(start, Given):
+            u[:], velocity[:] = start.relative_displacement, start.velocity
         elif self.driven == "velocity":
-            velocity[0] = value_at_start(boundary)
+            velocity[0] = at_start
         return u, velocity
 
     def drive(self, t):

@@ -1,4 +1,4 @@
-"""How many beads a scene has, and whether what varies along its chain is possible.
+"""Beads and contacts, and patterns of what varies along a chain.
 
 A pattern gives one factor for each bead or contact of a chain.  It is a number for all of them, or
 a mapping whose keys multiply.  A `cell` repeats a list, and a `taper` grows by a ratio or a
@@ -13,159 +13,259 @@ of two spheres like the first one (`model.materials`).
 import math
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
-from typing import Any
+from typing import Annotated, Any
+
+from pydantic import AfterValidator, BeforeValidator, Field
+from pydantic_core import PydanticCustomError
 
 from granular_fronts.errors import InputError
-from granular_fronts.model.materials import body_of, hertz_stiffness
-from granular_fronts.scenes.schema import name_entry
+from granular_fronts.model.materials import Body, body_of, hertz_stiffness
+from granular_fronts.scenes.parts import (
+    Part,
+    Place,
+    Positive,
+    Several,
+    Whole,
+    one_or_more,
+    or_number,
+    say,
+)
 
 MOST_DECADES = 6
 """Decades on either side of 1 of a mass or a factor.  Light beads are fast, and set the steps."""
 
 
-def bead_count(scene: Mapping[str, Any]) -> int:
-    """Return the number N of beads of a chain scene."""
-    beads = scene["beads"]
-    return int(beads["count"] if isinstance(beads, Mapping) else beads)
+class Taper(Part):
+    """Growth from each value to the next."""
+
+    ratio: Positive = Field(1.0, description="Factor from one to the next.")
+    difference: float = Field(0.0, description="Number added from one to the next.")
+
+    def problems(self) -> Iterator[str]:
+        """Something grows."""
+        if not self.model_fields_set:
+            yield " is empty: give ratio or difference."
 
 
-def contact_count(scene: Mapping[str, Any]) -> int:
-    """Return the number of contacts that move: N − 1, or N on a ring and before a wall."""
-    return bead_count(scene) - (scene["boundary"]["kind"] not in ("ring", "wall"))
+class Random(Part):
+    """Independent factors, uniform between 1 − spread and 1 + spread."""
+
+    spread: Annotated[float, Field(gt=0, lt=1)] = Field(description="Half of the width.")
+    seed: Annotated[Whole, Field(ge=0)] = Field(description="Number that sets the draw.")
 
 
-def impurities(pattern: Mapping[str, Any]) -> list[tuple[int, float]]:
-    """Return place and value of each impurity of a pattern."""
-    given = pattern.get("impurity", [])
-    found = []
-    for one in [given] if isinstance(given, Mapping) else given:
-        place = "bead" if "bead" in one else "contact"
-        [value] = (one[key] for key in one if key != place)
-        found.append((one[place], value))
-    return found
+class BeadWithMass(Part):
+    """One bead with another mass."""
+
+    bead: Place = Field(description="Number n of the bead, 1 to N.")
+    mass: Positive = Field(description="Its mass.")
+
+    @property
+    def place_and_value(self) -> tuple[int, float]:
+        """Number of the bead and its mass."""
+        return self.bead, self.mass
 
 
-def has_materials(scene: Mapping[str, Any]) -> bool:
-    """Return whether the beads are spheres of materials."""
-    return bool(_words(scene["beads"])[1])
+class ContactWithFactor(Part):
+    """One contact with another factor."""
+
+    contact: Place = Field(description="Number n of the contact.")
+    factor: Positive = Field(description="Its factor.")
+
+    @property
+    def place_and_value(self) -> tuple[int, float]:
+        """Number of the contact and its factor."""
+        return self.contact, self.factor
 
 
-def _words(beads: Any) -> tuple[str, list[str]]:
-    """Return the key of the spheres that beads are given by, and the words for them."""
-    given = beads if isinstance(beads, Mapping) else {}
-    key = "list" if "list" in given else "cell"
-    return key, given.get(key, [])
+class Pattern(Part):
+    """A number for each bead or contact, the product of what its keys give."""
 
+    cell: Annotated[Several[Positive], Field(min_length=1)] | None = Field(
+        None, description="Values repeated along the chain, for example [1, 0.3]."
+    )
+    taper: Taper | None = None
+    random: Random | None = None
+    list: Several[Positive] | None = Field(None, description="One value for each.")
 
-def mass_pattern(scene: Mapping[str, Any]) -> Any:
-    """Return the pattern of the masses, those of spheres over the first one."""
-    key, words = _words(scene["beads"])
-    if not words:
-        return scene["beads"].get("mass", 1.0) if isinstance(scene["beads"], Mapping) else 1.0
-    masses = [body_of(word).mass for word in words]
-    return {key: [mass / masses[0] for mass in masses]}
+    @property
+    def is_one(self) -> bool:
+        """Whether all values are 1."""
+        return not self.model_fields_set or (
+            self.cell == (1.0,) and self.model_fields_set == {"cell"}
+        )
 
+    def placed(self) -> dict[int, float]:
+        """Return the values of impurities by their places."""
+        return {}
 
-def elastic_pattern(scene: Mapping[str, Any]) -> Any:
-    """Return the pattern of the elastic factors, of spheres over the contact of two first ones."""
-    _, words = _words(scene["beads"])
-    if not words:
-        return scene.get("contacts", {}).get("elastic", 1.0)
-    # The sphere ahead of the last one is the first of a ring; it is not touched at a held end.
-    bodies = [body_of(words[n % len(words)]) for n in range(bead_count(scene) + 1)]
-    if "material" in scene["boundary"]:
-        bodies[-1] = body_of(scene["boundary"]["material"])
-    like_first = hertz_stiffness(bodies[0], bodies[0])
-    factors = [hertz_stiffness(*pair) / like_first for pair in pairwise(bodies)]
-    return {"list": factors[: contact_count(scene)]}
-
-
-def patterns_fit(scene: Mapping) -> Iterator[str]:
-    """Every pattern fits its chain, and all its values are above 0."""
-    errors = [*_material_errors(scene)]
-    if errors:
-        yield from errors
-        return
-    ring, contacts = scene["boundary"]["kind"] == "ring", contact_count(scene)
-    key = "beads" if has_materials(scene) else "beads.mass"
-    yield from _pattern_errors(key, mass_pattern(scene), bead_count(scene), ring)
-    patterns = {"elastic": elastic_pattern(scene)} | scene.get("contacts", {})
-    for key, pattern in patterns.items():
-        yield from _pattern_errors(f"contacts.{key}", pattern, contacts, ring)
-
-
-def _material_errors(scene: Mapping) -> Iterator[str]:
-    """Say what is wrong with beads and walls of materials."""
-    beads, boundary, contacts = scene["beads"], scene["boundary"], scene.get("contacts", {})
-    (key, words), wall = _words(beads), boundary.get("material")
-    if not words:
-        if wall:
+    def problems_along(self, count: int, is_ring: bool) -> Iterator[str]:
+        """Say what is wrong with the pattern for `count` values."""
+        cell, taper = self.cell or (1.0,), self.taper or Taper()
+        if is_ring and count % len(cell):
             yield (
-                f"boundary.material is {wall}, but the beads have no material: name theirs in "
-                "beads.cell, as in steel 9.5 mm."
+                f"cell has {len(cell)} values, but a ring of {count} has no whole number of such "
+                f"cells: take {count - count % len(cell) or len(cell)} beads."
             )
-        return
-    given = [f"beads.{name}" for name in ("cell", "list", "mass") if name in beads]
-    given += ["contacts.elastic"] if "elastic" in contacts else []
-    if len(given) > 1:
-        yield (
-            f"{given[0]} names materials, which set masses and stiffness, but {given[1]} is given "
-            "too: leave one of them out."
-        )
-    if boundary["kind"] == "wall" and not wall:
-        yield "boundary.material is missing: name the material of the wall, as in steel."
-    named = {name_entry(f"beads.{key}", index): word for index, word in enumerate(words)}
-    for place, word in (named | ({"boundary.material": wall} if wall else {})).items():
-        try:
-            is_flat = math.isinf(body_of(word).radius)
-        except InputError as error:
-            yield f"{place}: {error}"
-            continue
-        if is_flat and place in named:
-            yield f"{place} is {word}, without a diameter: give one, as in {word} 9.5 mm."
+        if is_ring and self.taper:
+            yield "taper is given, but a ring has no end: give a cell or a list."
+        last = 1.0 + taper.difference * (count - 1)
+        if last <= 0.0:
+            yield (
+                f"taper.difference is {say(taper.difference)}, with which value {count} is "
+                f"{last:g}: give more than {-1.0 / (count - 1):.3g}."
+            )
+            return
+        for place in sorted(self.placed()):
+            if place > count:
+                yield f"impurity is at {place}, but there are {count}: give 1 to {count}."
+        if self.list is not None and len(self.list) != count:
+            yield f"list has {len(self.list)} values, but there are {count}: give one each."
+        furthest = self._decades(taper.ratio, last, count)
+        if furthest > MOST_DECADES:
+            yield (
+                f" comes to 1e±{furthest:.0f}, beyond the 1e±{MOST_DECADES} that a chain can "
+                "follow: bring its values nearer to 1."
+            )
+
+    def _decades(self, ratio: float, last: float, count: int) -> float:
+        """Return the largest |decimal logarithm| of the values; `last` is where a taper adds to."""
+        spread = self.random.spread if self.random else 0.0
+        ends = [0.0, math.log10(last) + (count - 1) * math.log10(ratio)]
+        sizes = [ends, [math.log10(1.0 - spread), math.log10(1.0 + spread)]]
+        sizes += [[*map(math.log10, values)] for values in (self.cell, self.list) if values]
+        placed = [abs(math.log10(value)) for value in self.placed().values()]
+        return max(abs(sum(map(min, sizes))), abs(sum(map(max, sizes))), *placed)
 
 
-def _pattern_errors(key: str, pattern: Any, count: int, ring: bool) -> Iterator[str]:
-    """Say what is wrong with one pattern of `count` values."""
-    if not isinstance(pattern, Mapping):
-        pattern = {"cell": [pattern]}
-    cell, taper = pattern.get("cell", [1.0]), pattern.get("taper", {})
-    if ring and count % len(cell):
-        yield (
-            f"{key}.cell has {len(cell)} values, but a ring of {count} has no whole number of such "
-            f"cells: take {count - count % len(cell) or len(cell)} beads."
-        )
-    if ring and taper:
-        yield f"{key}.taper is given, but a ring has no end: give a cell or a list."
-    last = 1.0 + taper.get("difference", 0.0) * (count - 1)
-    if last <= 0.0:
-        yield (
-            f"{key}.taper.difference is {taper['difference']}, with which value {count} is "
-            f"{last:g}: give more than {-1.0 / (count - 1):.3g}."
-        )
-        return
-    places = [place for place, _ in impurities(pattern)]
-    for place in sorted(set(places)):
-        if place > count:
-            yield f"{key}.impurity is at {place}, but there are {count}: give 1 to {count}."
-        if places.count(place) > 1:
-            yield f"{key}.impurity names {place} more than once: keep one of its values."
-    if "list" in pattern and len(pattern["list"]) != count:
-        yield f"{key}.list has {len(pattern['list'])} values, but there are {count}: give one each."
-    placed = [math.log10(value) for _, value in impurities(pattern)]
-    furthest = max([_decades_of_factors(pattern, last, count), *map(abs, placed)])
-    if furthest > MOST_DECADES:
-        yield (
-            f"{key} comes to 1e±{furthest:.0f}, beyond the 1e±{MOST_DECADES} that a chain can "
-            "follow: bring its values nearer to 1."
-        )
+class Impure(Pattern):
+    """A pattern in which impurities replace single values."""
+
+    impurity: Several[Any] = ()
+
+    def placed(self) -> dict[int, float]:
+        """Return the values of impurities by their places."""
+        return dict(one.place_and_value for one in self.impurity)
+
+    def problems(self) -> Iterator[str]:
+        """No two impurities are at one place."""
+        places = [one.place_and_value[0] for one in self.impurity]
+        for place in sorted({one for one in places if places.count(one) > 1}):
+            yield f"impurity names {place} more than once: keep one of its values."
 
 
-def _decades_of_factors(pattern: Mapping, last: float, count: int) -> float:
-    """Return the largest |decimal logarithm| of the product; `last` is where a taper adds to."""
-    ratio = pattern.get("taper", {}).get("ratio", 1.0)
-    spread = pattern.get("random", {}).get("spread", 0.0)
-    ends = [0.0, math.log10(last) + (count - 1) * math.log10(ratio)]
-    listed = ([math.log10(value) for value in pattern.get(key, [])] for key in ("cell", "list"))
-    sizes = [ends, [math.log10(1.0 - spread), math.log10(1.0 + spread)], *filter(None, listed)]
-    return max(abs(sum(map(min, sizes))), abs(sum(map(max, sizes))))
+class Masses(Impure):
+    """Masses along a chain: a number for all, or the product of what the keys give."""
+
+    impurity: Annotated[Several[BeadWithMass], one_or_more(BeadWithMass)] = Field(
+        (), description="One bead with another mass, or a list of such."
+    )
+
+
+class Factors(Impure):
+    """Factors along a chain: a number for all, or the product of what the keys give."""
+
+    impurity: Annotated[Several[ContactWithFactor], one_or_more(ContactWithFactor)] = Field(
+        (), description="One contact with another factor, or a list of such."
+    )
+
+
+def _number_for_all(written: Any) -> BeforeValidator:
+    """Let a number stand for a pattern; `written` is what a file may hold."""
+    return BeforeValidator(
+        lambda v: v if isinstance(v, Mapping | Part) else {"cell": [v]},
+        json_schema_input_type=written,
+    )
+
+
+def _body(words: str) -> Body:
+    try:
+        return body_of(words)
+    except InputError as error:
+        raise PydanticCustomError("sentence", f"{{key}}: {error}") from None
+
+
+def _sphere(words: str) -> str:
+    if math.isinf(_body(words).radius):
+        raise PydanticCustomError(
+            "sentence", f"{{key}} is {words}, without a diameter: give one, as in {words} 9.5 mm."
+        )
+    return words
+
+
+def _wall(words: str) -> str:
+    _body(words)
+    return words
+
+
+Spheres = Annotated[Several[Annotated[str, AfterValidator(_sphere)]], Field(min_length=1)]
+Wall = Annotated[str, AfterValidator(_wall)]
+
+
+class Beads(Part):
+    """Beads, with masses or of materials; a number is their count."""
+
+    count: Annotated[Whole, Field(ge=2)] = Field(description="Number N of beads.")
+    mass: Annotated[Masses, _number_for_all(Positive | Masses)] = Field(
+        Masses(), description="Masses m_n along the chain, a number or a pattern; 1 by default."
+    )
+    cell: Spheres | None = Field(
+        None,
+        description="Spheres repeated along the chain, each by material and diameter, for example "
+        "[steel 9.5 mm, ptfe 4.8 mm], in place of masses.  Diameters in m, cm, mm, um or in; the "
+        "first sphere has mass 1.",
+    )
+    list: Spheres | None = Field(None, description="A sphere for each bead, in place of a cell.")
+
+    @property
+    def spheres(self) -> tuple[str, ...]:
+        """The words for spheres, none where beads have masses."""
+        return self.list or self.cell or ()
+
+    @property
+    def are_equal(self) -> bool:
+        """Whether nothing but the number of beads is given."""
+        return self.model_fields_set == {"count"}
+
+    def problems(self) -> Iterator[str]:
+        """Masses and materials are not both given."""
+        given = [name for name in ("cell", "list", "mass") if name in self.model_fields_set]
+        if len(given) > 1:
+            yield (
+                f"{given[0]} names materials, which set masses and stiffness, but {given[1]} is "
+                "given too: leave one of them out."
+            )
+
+    def masses(self) -> Pattern:
+        """Return the pattern of the masses, those of spheres over the first one."""
+        if not self.spheres:
+            return self.mass
+        masses = [body_of(words).mass for words in self.spheres]
+        relative = tuple(mass / masses[0] for mass in masses)
+        return Pattern(list=relative) if self.list else Pattern(cell=relative)
+
+    def stiffness(self, contacts: int, wall: str | None) -> Pattern:
+        """Return the pattern of the elastic factors of spheres, over that of two first ones."""
+        # The sphere ahead of the last one is the first of a ring; it is not touched at a held end.
+        bodies = [body_of(self.spheres[n % len(self.spheres)]) for n in range(self.count + 1)]
+        if wall:
+            bodies[-1] = body_of(wall)
+        like_first = hertz_stiffness(bodies[0], bodies[0])
+        factors = tuple(hertz_stiffness(*pair) / like_first for pair in pairwise(bodies))
+        return Pattern(list=factors[:contacts])
+
+
+CountOrBeads = Annotated[Beads, or_number("count", Annotated[int, Field(ge=2)] | Beads)]
+
+
+class Contacts(Part):
+    """What the forces of the contacts are multiplied by, n between the beads n and n + 1."""
+
+    elastic: Annotated[Factors, _number_for_all(Positive | Factors)] = Field(
+        Factors(), description="Factors of the elastic force, a number or a pattern; 1 by default."
+    )
+    viscous: Annotated[Factors, _number_for_all(Positive | Factors)] | None = Field(
+        None,
+        description="Factors of the viscous force, a number or a pattern; those of the elastic "
+        "force by default.",
+    )

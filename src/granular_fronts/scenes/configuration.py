@@ -4,16 +4,19 @@ First its scenes and sections are checked one by one.  Then no two results may h
 results need a folder that can be written, and no key may be ignored.
 """
 
+import copy
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
+from granular_fronts.errors import InputError
 from granular_fronts.scenes.law import LAWS
 from granular_fronts.scenes.proof import PROOFS
-from granular_fronts.scenes.schema import LONGEST_SHOWN, violations
+from granular_fronts.scenes.schema import LONGEST_SHOWN, load_schema, violations
 from granular_fronts.scenes.sections import Check, section_errors, section_label
 from granular_fronts.scenes.study import studies
-from granular_fronts.scenes.validation import SCENES, raise_if_any
+from granular_fronts.scenes.validation import SCENES, check_scene, raise_if_any
 from granular_fronts.scenes.yaml_files import yaml_errors
 
 MEASUREMENTS = (
@@ -23,13 +26,25 @@ MEASUREMENTS = (
 """Measurements of accuracy and speed, whose counts the schema limits one by one."""
 
 SECTIONS: dict[str, tuple[Check, ...]] = {
-    **{f"scenes.{family}.*": scene for family, scene in SCENES.items()},
     **{study["section"]: () for study in studies().values()},
     **{f"laws.{name}": section for name, section in LAWS.items()},
     **dict.fromkeys(MEASUREMENTS, ()),
     "proofs": PROOFS,
 }
 """Checks of all sections by their path in the configuration; ``*`` matches any name."""
+
+
+def whole_schema() -> dict[str, Any]:
+    """Return the JSON schema of a configuration with its scenes, for editors and the manual."""
+    schema = copy.deepcopy(load_schema("config"))
+    families = schema["properties"]["scenes"]["properties"]
+    for family, part in SCENES.items():
+        rules = part.model_json_schema()
+        rules["description"] = rules["description"].partition("\n\n")[0]
+        schema["$defs"] |= rules.pop("$defs") | {part.__name__: rules}
+        families[family]["additionalProperties"] = {"$ref": f"#/$defs/{part.__name__}"}
+    return schema
+
 
 UNUSABLE = *"{}<>*?|\"'\n\t\\$", "://"
 """Parts of a folder's name that Snakemake, a shell or a reader takes for something else."""
@@ -53,7 +68,10 @@ def validate_configuration(
 
 def check_configuration(configuration: Mapping) -> None:
     """Validate the contents of a merged configuration; as `validate_configuration` otherwise."""
-    raise_if_any([*violations(configuration)] or [*_section_errors(configuration)])
+    raise_if_any(
+        [*violations(configuration), *_scene_errors(configuration)]
+        or [*_section_errors(configuration)]
+    )
 
 
 def _argument_errors(arguments: Mapping) -> Iterator[str]:
@@ -94,6 +112,18 @@ def folder_errors(results: str, writes: bool = True) -> Iterator[str]:
                 f"results is {results}, but nothing can be written into {existing}: name a folder "
                 "of your own."
             )
+
+
+def _scene_errors(configuration: Mapping) -> Iterator[str]:
+    """Say what is wrong with scenes whose families the schema knows."""
+    families = configuration.get("scenes") if isinstance(configuration, Mapping) else None
+    for family in SCENES:
+        scenes = families.get(family) if isinstance(families, Mapping) else None
+        for name, scene in scenes.items() if isinstance(scenes, Mapping) else ():
+            try:
+                check_scene(family, scene, name)
+            except InputError as error:
+                yield from str(error).splitlines()
 
 
 def _section_errors(configuration: Mapping) -> Iterator[str]:

@@ -1,13 +1,17 @@
 """What drives the left end of a chain as a function of time: a force on bead 1, or its velocity.
 
-A drive is a number, or a mapping with one of the keys of `_PIECES`.  It is cut into pieces between
-its break points, where it or its slope jumps; `chain.drives` has their formula.
+A drive is cut into pieces between its break points, where it or its slope jumps; `chain.drives` has
+their formula.
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Annotated, NamedTuple
+
+from pydantic import Field
+
+from granular_fronts.scenes.parts import NotNegative, Part, Positive, Several, or_number, say
 
 
 class Piece(NamedTuple):
@@ -21,101 +25,103 @@ class Piece(NamedTuple):
     phase: float = 0.0
 
 
-def key_of_drive(boundary: Mapping[str, Any]) -> str | None:
-    """Return which key of a boundary drives its left end, `force` or `velocity`, or None."""
-    return next((key for key in ("force", "velocity") if key in boundary), None)
+class Pulse(Part):
+    """A constant for some time.  Of a force only, since a velocity does not jump."""
+
+    height: float = Field(description="Value until the end of the pulse, above the offset.")
+    duration: Positive = Field(description="Time t at which it ends.")
+    offset: float = Field(0.0, description="Constant that is added at all times.")
+
+    def pieces(self) -> list[Piece]:
+        """Return the pulse and what follows it."""
+        return [Piece(0.0, self.offset + self.height), Piece(self.duration, self.offset)]
 
 
-def pieces_of(boundary: Mapping[str, Any]) -> list[Piece]:
-    """Return the pieces of the drive of a boundary, none if its left end is held."""
-    key = key_of_drive(boundary)
-    if key is None:
-        return []
-    drive = boundary[key]
-    if isinstance(drive, Mapping):
-        [(kind, given)] = drive.items()
-        return _PIECES[kind](**given)
-    ramp = float(boundary.get("ramp", 0.0))
-    return _table([0.0, ramp], [0.0, drive]) if ramp else [Piece(0.0, float(drive))]
+class HalfSine(Part):
+    """One arch of a sine, a sin(π t/duration), and then nothing."""
+
+    amplitude: float = Field(description="Height a of the arch.")
+    duration: Positive = Field(description="Time t at which it ends.")
+    offset: float = Field(0.0, description="Constant that is added at all times.")
+
+    def pieces(self) -> list[Piece]:
+        """Return the arch and what follows it."""
+        arch = Piece(0.0, self.offset, 0.0, self.amplitude, math.pi / self.duration)
+        return [arch, Piece(self.duration, self.offset)]
 
 
-def largest_of(boundary: Mapping[str, Any]) -> float:
-    """Return a bound of the size of a drive; a piece of a slope ends where the next begins."""
-    return max((abs(p.constant) + abs(p.amplitude) for p in pieces_of(boundary)), default=0.0)
+class Harmonic(Part):
+    """A sine for ever, a sin(ω t + φ)."""
+
+    amplitude: float = Field(description="Amplitude a.")
+    angular_frequency: Positive = Field(description="Angular frequency ω = 2π/period.")
+    phase: float = Field(0.0, description="Phase φ in radians.")
+    offset: float = Field(0.0, description="Constant that is added at all times.")
+
+    def pieces(self) -> list[Piece]:
+        """Return the sine, a single piece."""
+        amplitude, frequency = self.amplitude, self.angular_frequency
+        return [Piece(0.0, self.offset, 0.0, amplitude, frequency, self.phase)]
 
 
-def value_at_start(boundary: Mapping[str, Any]) -> float:
-    """Return the value of a drive at t = 0."""
-    first = pieces_of(boundary)[0]
-    return first.constant + first.amplitude * math.sin(first.phase)
+class Table(Part):
+    """Values at given times, with straight lines between them, and constant before and after."""
 
+    times: Annotated[Several[NotNegative], Field(min_length=2)] = Field(
+        description="Times t of the values, which increase."
+    )
+    values: Several[float] = Field(description="A value for each time.")
 
-def drive_errors(section: Mapping[str, Any]) -> Iterator[str]:
-    """Say why the drive of a section, if it has one, is impossible."""
-    boundary = section.get("boundary", {})
-    key = key_of_drive(boundary)
-    drive = boundary.get(key)
-    if key == "force" and "left" in boundary:
-        yield "boundary has left and force, but one of them presses the left end: leave one out."
-    if not isinstance(drive, Mapping):
-        return
-    place = f"boundary.{key}"
-    if len(drive) > 1:
-        yield f"{place} has {' and '.join(drive)}: give one of them."
-    if "ramp" in boundary:
-        yield f"boundary.ramp is given, but {place} is a function of time: leave ramp out."
-    if key == "velocity" and "pulse" in drive:
-        yield (
-            f"{place}.pulse jumps, which takes an infinite force: give half_sine, or a table in "
-            "which the velocity falls over some time."
-        )
-    if "table" in drive:
-        yield from _table_errors(f"{place}.table", **drive["table"])
-
-
-def _table_errors(place: str, times: list, values: list) -> Iterator[str]:
-    """Say why a table is none of a function of time."""
-    if len(times) != len(values):
-        yield (
-            f"{place}.times has {len(times)} entries, but values has {len(values)}: give a value "
-            "for each time."
-        )
-    for entry, (before, after) in enumerate(pairwise(times), start=2):
-        if after <= before:
+    def problems(self) -> Iterator[str]:
+        """The table is one of a function of time."""
+        if len(self.times) != len(self.values):
             yield (
-                f"{place}.times (entry {entry}) is {after}, but the one before is {before}: give "
-                "times that increase; a jump takes a short time."
+                f"times has {len(self.times)} entries, but values has {len(self.values)}: give a "
+                "value for each time."
             )
-            return
+        for entry, (before, after) in enumerate(pairwise(self.times), start=2):
+            if after <= before:
+                yield (
+                    f"times (entry {entry}) is {say(after)}, but the one before is {say(before)}: "
+                    "give times that increase; a jump takes a short time."
+                )
+                return
+
+    def pieces(self) -> list[Piece]:
+        """Return a straight line between each two points, and what follows the last one."""
+        points = list(zip(self.times, self.values, strict=True))
+        if self.times[0] > 0.0:
+            points.insert(0, (0.0, self.values[0]))
+        rising = [Piece(t, v, (w - v) / (end - t)) for (t, v), (end, w) in pairwise(points)]
+        return [*rising, Piece(*points[-1])]
 
 
-def _pulse(height: float, duration: float, offset: float = 0.0) -> list[Piece]:
-    return [Piece(0.0, offset + height), Piece(duration, offset)]
+class FunctionOfTime(Part):
+    """A number, or one function of time."""
+
+    constant: float | None = Field(
+        None, description="Value at all times, written as a number in place of the mapping."
+    )
+    pulse: Pulse | None = None
+    half_sine: HalfSine | None = None
+    harmonic: Harmonic | None = None
+    table: Table | None = None
+
+    def problems(self) -> Iterator[str]:
+        """One function is given."""
+        given = [name for name, value in self if value is not None]
+        if not given:
+            yield " is empty: give a number, or pulse, half_sine, harmonic or table."
+        elif len(given) > 1:
+            yield f" has {' and '.join(given)}: give one of them."
+
+    def pieces(self, ramp: float = 0.0) -> list[Piece]:
+        """Return the pieces; a constant may rise from 0 within a ramp."""
+        if self.constant is not None:
+            end = Piece(ramp, self.constant)
+            return [Piece(0.0, 0.0, self.constant / ramp), end] if ramp else [end]
+        functions = (self.pulse, self.half_sine, self.harmonic, self.table)
+        return next(one for one in functions if one is not None).pieces()
 
 
-def _half_sine(amplitude: float, duration: float, offset: float = 0.0) -> list[Piece]:
-    arch = Piece(0.0, offset, 0.0, amplitude, math.pi / duration)
-    return [arch, Piece(duration, offset)]
-
-
-def _harmonic(
-    amplitude: float, angular_frequency: float, phase: float = 0.0, offset: float = 0.0
-) -> list[Piece]:
-    return [Piece(0.0, offset, 0.0, amplitude, angular_frequency, phase)]
-
-
-def _table(times: list, values: list) -> list[Piece]:
-    """Return straight lines between the points; before and after them the drive is constant."""
-    points = list(zip(times, values, strict=True))
-    if times[0] > 0.0:
-        points.insert(0, (0.0, values[0]))
-    rising = [Piece(t, v, (w - v) / (end - t)) for (t, v), (end, w) in pairwise(points)]
-    return [*rising, Piece(*points[-1])]
-
-
-_PIECES: dict[str, Callable[..., list[Piece]]] = {
-    "pulse": _pulse,
-    "half_sine": _half_sine,
-    "harmonic": _harmonic,
-    "table": _table,
-}
+Drive = Annotated[FunctionOfTime, or_number("constant", float | FunctionOfTime)]

@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterator, Mapping
 
 from granular_fronts.errors import InputError
+from granular_fronts.model.laws import make_law
 from granular_fronts.model.materials import material_of
-from granular_fronts.scenes.laws import law_errors, made_law
-from granular_fronts.scenes.schema import name_entry
+from granular_fronts.scenes.parts import name_entry
 from granular_fronts.scenes.sections import Check
 
 DENSITIES = 1.0, 30_000.0
@@ -88,10 +88,12 @@ def _fronts_of_cases_are_possible(section: Mapping) -> Iterator[str]:
     """Both potentials of every case exist, and a front joins two different states of theirs."""
     for name, case in section["cases"].items():
         key = f"cases.{name}"
-        law = {"elastic": case["elastic"], "viscous": case["dissipation"]}
-        errors = [*law_errors({"law": law})]
-        yield from (f"{key}.{error}" for error in errors)
-        low, high = (-math.inf, math.inf) if errors else made_law(law).domain
+        try:
+            law = make_law(elastic=case["elastic"], viscous=case["dissipation"])
+        except InputError as error:
+            yield f"{key}.law: {error}"
+            continue
+        low, high = law.domain
         behind, ahead = case["states"]
         for state in (behind, ahead):
             if not low < state < high:

@@ -1,23 +1,23 @@
-"""Check that the law of a scene is possible, and estimate the sizes of its motion.
+"""The law of a scene, and sizes of its motion.
 
-A scene is driven by relative displacements of about δ, with energies of about δ^(α + 1).  Sizes are
-decimal logarithms, −∞ for none.
+The law is made once, where a scene is read.  A scene is driven by relative displacements of about
+δ, with energies of about δ^(α + 1).  Sizes are decimal logarithms, −∞ for none.
 """
 
-import functools
-import json
 import math
 import sys
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
+from pydantic import AfterValidator, Discriminator, Field, PlainSerializer, Tag
+from pydantic.json_schema import SkipJsonSchema
+from pydantic_core import PydanticCustomError
 
 from granular_fronts.errors import InputError
 from granular_fronts.model.laws import Law, make_law
 from granular_fronts.model.potentials import Potential
-from granular_fronts.scenes.beads import bead_count
-from granular_fronts.scenes.drives import key_of_drive, largest_of
+from granular_fronts.scenes.parts import NotNegative, Part, Positive, say
 
 MOST_DECADES = 140
 """Decades on either side of 1 within which the square of a number is a double too."""
@@ -32,104 +32,149 @@ more exact.
 ABSOLUTE_TOLERANCE_CEILING = 0.1
 """Largest absolute tolerance over the largest relative displacement."""
 
-DECADES_PER_UNIT = 8
-"""Compressions for each factor of 10 among which the one of an energy is looked up."""
+SIZES = np.linspace(-MOST_DECADES, MOST_DECADES, 16 * MOST_DECADES + 1)
+"""Sizes of the compressions among which the one of an energy is looked up, 8 for a decade."""
 
 
-def is_short(law: object) -> bool:
-    """Return whether a law is given by its exponents."""
-    return isinstance(law, Mapping) and "alpha" in law
+class LawOfPowers(Part):
+    """Law (28): elastic force u^α and viscous force γ d(u^β)/dt."""
+
+    alpha: Positive = Field(description="Exponent α of the elastic force, 3/2 for spheres (Hertz).")
+    beta: Annotated[float, Field(ge=1)] = Field(
+        description="Exponent β of the viscous force; β = α is the generalised Kuwabara–Kono law."
+    )
+    gamma: NotNegative = Field(description="Strength γ of the viscous force, equation (29).")
 
 
-def law_errors(section: Mapping) -> Iterator[str]:
-    """Say why the law of a section cannot be made."""
-    law = section.get("law")
-    if law is None or is_short(law):
-        return
+def _kind_of_potential(value: Any) -> Any:
+    """Say that a mapping for a potential lacks its kind; `make_law` knows kinds and parameters."""
+    if isinstance(value, Mapping) and "kind" not in value:
+        raise PydanticCustomError("sentence", "{key}.kind is missing: add it (name of a kind).")
+    return value
+
+
+Number = Annotated[float, Field(allow_inf_nan=False)]
+NamedPotential = dict[
+    str, Annotated[str | Number, Field(description="The kind, or a parameter of it.")]
+]
+AnyPotential = Annotated[
+    Annotated[SkipJsonSchema[Potential], Tag("<made>")] | Annotated[NamedPotential, Tag("<named>")],
+    Discriminator(lambda value: "<made>" if isinstance(value, Potential) else "<named>"),
+    AfterValidator(_kind_of_potential),
+]
+
+
+class LawOfPotentials(Part):
+    """Two potentials V and W of the strain r = x_(n+1) − x_n, negative in compression, eq. (5)."""
+
+    elastic: AnyPotential = Field(
+        description="Potential V of the elastic force, a kind of granular_fronts.model.kinds and "
+        "its parameters."
+    )
+    viscous: AnyPotential | None = Field(
+        None,
+        description="Potential W of the viscous force, a kind and its parameters; kind none by "
+        "default.",
+    )
+
+
+def _form(value: Any) -> str:
+    """Return which form of a law is given."""
+    if isinstance(value, Law):
+        return "<made>"
+    if isinstance(value, Part):
+        return "<long>" if isinstance(value, LawOfPotentials) else "<short>"
+    is_long = isinstance(value, Mapping) and {"elastic", "viscous"} & value.keys()
+    return "<long>" if is_long else "<short>"
+
+
+def _make(value: Any) -> Law:
+    """Make the law of a part."""
+    if isinstance(value, Law):
+        return value
     try:
-        made_law(law)
+        return make_law({name: part for name, part in value if part is not None})
     except InputError as error:
-        yield f"law: {error}"
+        raise PydanticCustomError("sentence", f"{{key}}: {error}") from None
 
 
-def made_law(law: Any) -> Law:
-    """Return the law of a mapping, or one that is made already; else an InputError."""
-    if is_of_potentials(law):
-        return make_law(law)
-    if isinstance(law, Mapping):
-        return _made(json.dumps(law, sort_keys=True))
-    return law
+if TYPE_CHECKING:
+    AnyLaw = Law
+else:
+    AnyLaw = Annotated[
+        Annotated[LawOfPowers, Tag("<short>")]
+        | Annotated[LawOfPotentials, Tag("<long>")]
+        | Annotated[SkipJsonSchema[Law], Tag("<made>")],
+        Discriminator(_form),
+        AfterValidator(_make),
+        PlainSerializer(Law.describe),
+    ]
+"""Law of the contacts, by its exponents or by two potentials; an attribute of it is a `Law`."""
 
 
-def is_of_potentials(law: object) -> bool:
-    """Return whether a law is a mapping with a potential that Python has made already."""
-    return isinstance(law, Mapping) and any(isinstance(part, Potential) for part in law.values())
+class LawOfOneExponent(Part):
+    """Contact law with β = α, the generalised Kuwabara–Kono law."""
+
+    alpha: Annotated[float, Field(gt=1)] = Field(
+        description="Exponent α of the elastic and the viscous force."
+    )
+    gamma: Positive = Field(description="Strength γ of the viscous force, equation (29).")
 
 
-@functools.lru_cache
-def _made(text: str) -> Law:
-    return make_law(json.loads(text))
-
-
-def exponent_of(law: Any) -> float | None:
+def exponent_of(law: Law) -> float | None:
     """Return the exponent α of a Hertz potential, None for other elastic potentials."""
-    elastic = made_law(law).elastic
-    return elastic.parameters[0] if elastic.kind == "hertz" else None
+    return law.elastic.parameters[0] if law.elastic.kind == "hertz" else None
 
 
-def decades_of_impact(law: Any, velocity: float, most: int) -> float:
-    """Return the size of the strain that a velocity makes of contacts at rest, within 10^±most.
+def decades_of_impact(law: Law, velocity: float) -> float:
+    """Return the size of the strain that a velocity makes of contacts at rest.
 
     A velocity v compresses them to about :math:`V(-u) = v^2`, that is :math:`v^{2/(α + 1)}` for
     the law (28), or stretches them as far where that takes less.
     """
     if velocity == 0.0:
         return -math.inf
-    if is_short(law):
-        return 2.0 / (law["alpha"] + 1.0) * math.log10(abs(velocity))
-    elastic = made_law(law).elastic
-    sizes = np.linspace(-most, most, 2 * most * DECADES_PER_UNIT + 1)
-    energies = np.fmax(*(elastic.value(sign * 10.0**sizes) for sign in (-1.0, 1.0)))
-    energies -= elastic.value(0.0)
-    return _first_size(elastic, sizes, energies >= float(velocity) ** 2)
+    if law.is_power:
+        return 2.0 / (law.alpha + 1.0) * math.log10(abs(velocity))
+    energies = np.fmax(*(law.elastic.value(sign * 10.0**SIZES) for sign in (-1.0, 1.0)))
+    energies -= law.elastic.value(0.0)
+    return _first_size(law.elastic, energies >= float(velocity) ** 2)
 
 
-def decades_of_load(law: Any, load: float, most: int) -> float:
-    """Return the size of the strain at which a contact bears a force, within 10^±most."""
+def decades_of_load(law: Law, load: float) -> float:
+    """Return the size of the strain at which a contact bears a force."""
     if load == 0.0:
         return -math.inf
-    if is_short(law):
-        return math.log10(load) / law["alpha"]
-    elastic = made_law(law).elastic
-    sizes = np.linspace(-most, most, 2 * most * DECADES_PER_UNIT + 1)
-    forces = np.fmax(*(abs(elastic.first(sign * 10.0**sizes)) for sign in (-1.0, 1.0)))
-    return _first_size(elastic, sizes, forces >= load)
+    if law.is_power:
+        return math.log10(load) / law.alpha
+    forces = np.fmax(*(abs(law.elastic.first(sign * 10.0**SIZES)) for sign in (-1.0, 1.0)))
+    return _first_size(law.elastic, forces >= load)
 
 
-def _first_size(potential: Any, sizes: Any, enough: Any) -> float:
+def _first_size(potential: Potential, enough: Any) -> float:
     """Return the first size at which something is enough, or beyond which no contact is pressed."""
-    enough = enough | (-(10.0**sizes) <= potential.domain[0])
-    return float(sizes[enough.argmax()] if enough.any() else sizes[-1])
+    enough = enough | (potential.domain[0] >= -(10.0**SIZES))
+    return float(SIZES[enough.argmax()] if enough.any() else SIZES[-1])
 
 
-def front_speed(law: Any, size: float) -> float:
+def front_speed(law: Law, size: float) -> float:
     """Return the front speed into contacts at rest, (V'(−u)/−u)^½ for u = 10^size."""
-    elastic, u = made_law(law).elastic, 10.0**size
+    elastic, u = law.elastic, 10.0**size
     if -u <= elastic.domain[0]:
         return 0.0
     return math.sqrt(abs(float(elastic.first(-u))) / u)
 
 
-def decades_of_energy(law: Any, size: float) -> dict[str, float]:
+def decades_of_energy(law: Law, size: float) -> dict[str, float]:
     """Return the sizes of V and W at a compression of 10^size, by key of the law."""
-    if is_short(law):
-        return {key: (law[key] + 1.0) * size for key in ("alpha", "beta") if key in law}
-    made = made_law(law)
-    energies = {key: _decades_of_energy(getattr(made, key), size) for key in ("elastic", "viscous")}
+    if law.is_power:
+        exponents = {"alpha": law.alpha} | ({"beta": law.beta} if law.beta != law.alpha else {})
+        return {key: (exponent + 1.0) * size for key, exponent in exponents.items()}
+    energies = {key: _decades_of_energy(getattr(law, key), size) for key in ("elastic", "viscous")}
     return {key: found for key, found in energies.items() if math.isfinite(found)}
 
 
-def _decades_of_energy(potential: Any, size: float) -> float:
+def _decades_of_energy(potential: Potential, size: float) -> float:
     """Return the same of one potential, −∞ where it is 0."""
     if potential.factor == 0.0 or -(10.0**size) <= potential.domain[0]:
         return -math.inf
@@ -148,53 +193,29 @@ def decades(value: float) -> float:
     return math.log10(abs(value)) if value else -math.inf
 
 
-def decades_of_displacement(scene: Mapping) -> float:
-    """Return the size of the largest relative displacement that drives a scene with a law."""
-    if "displacement" in scene:
-        return decades(scene["displacement"])
-    boundary, start = scene["boundary"], scene["start"]
-    displacements = [boundary.get("left", 0.0), boundary.get("right", 0.0)]
-    displacements += start.get("relative_displacement", [])
-    velocity = start.get("velocity", [])
-    velocities = velocity if isinstance(velocity, list) else [velocity]
-    drive, driven = largest_of(boundary), key_of_drive(boundary)
-    fastest = max(map(abs, [drive if driven == "velocity" else 0.0, *velocities]))
-    # A body force on N beads is the force of a compression, as a velocity is.
-    weight = (
-        math.sqrt(abs(scene.get("gravity", 0.0)) * bead_count(scene)) if "beads" in scene else 0.0
-    )
-    return max(
-        max(map(decades, displacements)),
-        decades_of_load(scene["law"], drive, MOST_DECADES) if driven == "force" else -math.inf,
-        *(decades_of_impact(scene["law"], one, MOST_DECADES) for one in (fastest, weight)),
-    )
-
-
-def energies_are_representable(scene: Mapping) -> Iterator[str]:
-    """Energies δ^(α + 1) of a scene with a law, and the damping, neither overflow nor vanish."""
-    if "law" not in scene:
-        return
-    law, size = scene["law"], decades_of_displacement(scene)
+def energy_problems(law: Law, size: float) -> Iterator[str]:
+    """Energies of a motion of the size, and the damping, neither overflow nor vanish."""
     if math.isfinite(size):
         for name, found in decades_of_energy(law, size).items():
             if abs(found) > MOST_DECADES:
-                key = f"law.{name} is {law[name]}, which" if is_short(law) else f"law.{name}"
+                key = (
+                    f"law.{name} is {say(getattr(law, name))}, which"
+                    if law.is_power
+                    else f"law.{name}"
+                )
                 yield (
                     f"{key} with relative displacements of about 1e{size:+.0f} makes energies of "
                     f"about 1e{found:+.0f}, beyond the 1e±{MOST_DECADES} that double precision can "
                     "square: bring both nearer to 1."
                 )
-    if not is_short(law):
-        return
-    found = decades(law["gamma"])
-    if math.isfinite(found) and abs(found) > MOST_DECADES:
+    if law.is_power and law.gamma and abs(decades(law.gamma)) > MOST_DECADES:
         yield (
-            f"law.gamma is {law['gamma']}, beyond the 1e±{MOST_DECADES} that double precision can "
-            "square: bring it nearer to 1, or give 0 for no damping."
+            f"law.gamma is {say(law.gamma)}, beyond the 1e±{MOST_DECADES} that double precision "
+            "can square: bring it nearer to 1, or give 0 for no damping."
         )
 
 
-def absolute_tolerance_errors(absolute: float, size: float) -> Iterator[str]:
+def tolerance_problems(absolute: float, size: float) -> Iterator[str]:
     """Say that an absolute tolerance drowns in the rounding of a motion, or lets all pass."""
     above = math.log10(absolute) - size
     if above < math.log10(ABSOLUTE_TOLERANCE_FLOOR):
@@ -205,6 +226,6 @@ def absolute_tolerance_errors(absolute: float, size: float) -> Iterator[str]:
         return
     largest = 10.0**size
     yield (
-        f"tolerance.absolute is {absolute}, {side} {limit:g} of the largest relative displacement, "
-        f"which is about {largest:.3g}: give {limit * largest:.1e} or {advice}."
+        f"tolerance.absolute is {say(absolute)}, {side} {limit:g} of the largest relative "
+        f"displacement, which is about {largest:.3g}: give {limit * largest:.1e} or {advice}."
     )

@@ -18,6 +18,7 @@ import yaml
 from jsonschema import Draft202012Validator, validators
 from jsonschema.exceptions import ValidationError
 
+from granular_fronts.scenes.parts import name_entry
 from granular_fronts.scenes.study import add_sections, find_file
 from granular_fronts.scenes.yaml_files import read_yaml
 
@@ -96,11 +97,6 @@ def violations(
         if not key and error.validator not in ABOUT_KEYS:
             scene, key = "", scene.removesuffix(": ") or "the file"
         yield scene + _sentence(error, key, definitions)
-
-
-def name_entry(key: str, index: int) -> str:
-    """Name an entry of a list as people count, for example ``record.snapshots (entry 1)``."""
-    return f"{key} (entry {index + 1})"
 
 
 @functools.cache

@@ -10,9 +10,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from granular_fronts.scenes.drives import drive_errors
-from granular_fronts.scenes.laws import energies_are_representable, law_errors
-from granular_fronts.scenes.limits import memory_errors, numbers_held
+from granular_fronts.scenes.memory import COLUMNS_PER_ROW, Held, memory_problems
 
 Check = Callable[[Mapping], Iterator[str]]
 
@@ -22,16 +20,18 @@ def section_errors(given: Mapping, checks: tuple[Check, ...]) -> list[str]:
 
     The checks of the section come after those of all sections.
     """
-    return (
-        [*law_errors(given), *drive_errors(given)]
-        or [*energies_are_representable(given)]
-        or [*memory_errors(given, numbers_held(given))]
-        or [
-            error
-            for check in (ranges_increase, steps_fit_ranges, *checks)
-            for error in check(given)
-        ]
-    )
+    return [*memory_problems(_held(given))] or [
+        error for check in (ranges_increase, steps_fit_ranges, *checks) for error in check(given)
+    ]
+
+
+def _held(section: Mapping[str, Any]) -> Iterator[Held]:
+    """Numbers that a study holds at once, where the schema does not limit all counts."""
+    if "steps_per_collision" in section:
+        states = float(section["collision_times"]) * max(section["steps_per_collision"])
+        keys = "beads", "collision_times", "steps_per_collision"
+        asked = {key: section[key] for key in keys}
+        yield Held(asked, COLUMNS_PER_ROW * section["beads"] * states)
 
 
 def ranges_increase(section: Mapping) -> Iterator[str]:

@@ -20,9 +20,8 @@ from granular_fronts.accuracy import EPSILON
 from granular_fronts.chain.simulate import simulate_chain, simulate_once
 from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
-from granular_fronts.model.amplitude_scaling import make_slow_scales
 from granular_fronts.numerics.grids import regular_points
-from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.front import read_front
 from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
 from granular_fronts.studies.continuum_fronts import continuum_fronts
 
@@ -61,10 +60,10 @@ def compare_front(scene, name="given"):
     NoFrontError
         If one of the two methods does not converge.
     """
-    scene = check_scene("front", scene, name)
-    alpha, gamma = scene["law"]["alpha"], normalised_damping(scene)
+    scene = read_front(scene, name)
+    alpha, gamma, window = scene.law.alpha, scene.normalised_damping, scene.window
     front, shot = (_solve(alpha, gamma, method, name) for method in ("profile", "shooting"))
-    xi = regular_points(**scene["window"])
+    xi = regular_points(window.start, window.stop, window.step)
     coordinate = {"xi": ("xi", xi, front["xi"].attrs)}
     dataset = xr.Dataset(coords=coordinate, attrs=front.attrs)
     for field in FIELDS:
@@ -72,7 +71,7 @@ def compare_front(scene, name="given"):
         errors = {key: front[field].attrs[key] for key in ("error_estimate", "error_method")}
         dataset[field] = ("xi", exact, errors)
     seen = shot.sel(xi=slice(xi[0], xi[-1])).rename(xi="xi_shooting")
-    driven = drive_front(alpha, gamma, scene["driven_bead"], name)
+    driven = drive_front(alpha, gamma, scene.driven_bead, name)
     driven = driven.sel(xi=slice(xi[0], xi[-1])).rename(xi="xi_driven")
     for method, other in (("shooting", seen), ("driven", driven)):
         for field in FIELDS:
@@ -102,12 +101,6 @@ def drive_front(alpha, gamma, bead, name="driven"):
     scene |= {"end_time": moment, "record": {"snapshots": [moment]}}
     snapshot = simulate_chain(scene, name).isel(t=0, drop=True)
     return snapshot.assign_coords(bead=snapshot["bead"] - bead).rename(bead="xi")
-
-
-def normalised_damping(scene):
-    """Return γc of a front scene, its damping in the frame δ = c = 1, James (2021), eq. (30)."""
-    law = scene["law"]
-    return law["gamma"] * make_slow_scales(**law, delta=scene["displacement"]).speed
 
 
 def _solve(alpha, gamma, method, name):

@@ -34,10 +34,9 @@ from granular_fronts.continuum.evolution import (
     solve_refined,
 )
 from granular_fronts.continuum.log_burgers.starts import make_start
-from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.numerics.grids import regular_points
 from granular_fronts.reference_methods import upwind
-from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.ring import read_ring
 from granular_fronts.studies.chain_scenes import chain_scene, kuwabara_kono
 
 SITES_PER_BEAD = 5
@@ -68,48 +67,46 @@ def compare_with_chain(scene, name="given"):
     SolveError
         If a solver stops.
     """
-    scene = check_scene("periodic", scene, name)
+    scene = read_ring(scene, name)
     dataset = simulate_chain(make_chain_scene(scene), name)
     for equation in (LOGARITHMIC, UNLIMITED):
-        if equation in scene["equations"]:
+        if getattr(scene.equations, equation):
             solved = _solve_equation(scene, equation, dataset)
             dataset = dataset.merge(solved, combine_attrs="no_conflicts")
-    if "upwind" in scene["equations"]:
+    if scene.equations.upwind:
         dataset = dataset.merge(_solve_upwind(scene, dataset), combine_attrs="no_conflicts")
     return dataset
 
 
 def make_chain_scene(scene):
-    """Return the chain scene of a checked periodic scene, with the start of section 4.3."""
-    scaling = scaling_of(scene)
-    force = make_start(scene["start"]).values(
-        start_positions(scene, bead_numbers(scene)), scaling.half_length(scene["half_beads"])
-    )
+    """Return the chain scene of a ring, with the start of section 4.3."""
+    scaling, places = scene.scaling, start_positions(scene, bead_numbers(scene))
+    force = make_start(scene.start).values(places, scene.half_length)
     return chain_scene(
-        kuwabara_kono(**scene["law"]),
-        2 * scene["half_beads"] - 1,
+        kuwabara_kono(scene.law.alpha, scene.law.gamma),
+        scene.beads,
         {"kind": "ring"},
-        scene["end_time"],
-        (scene["tolerance"]["relative"], scene["tolerance"]["absolute"]),
-        {**scene["record"], "extremes": True, "balances": True},
+        scene.end_time,
+        (scene.tolerance.relative, scene.tolerance.absolute),
+        {**scene.record.plain(), "extremes": True, "balances": True},
         (scaling.displacement(force), scaling.velocity(force)),
     )
 
 
 def bead_numbers(scene):
     """Return 1 … 2p − 1."""
-    return np.arange(1, 2 * scene["half_beads"])
+    return np.arange(1, scene.beads + 1)
 
 
 def start_positions(scene, site):
     """Return ξ = ε(n − p) of bead numbers that need not be whole."""
-    return scaling_of(scene).epsilon * (np.asarray(site, dtype=float) - scene["half_beads"])
+    return scene.scaling.epsilon * (np.asarray(site, dtype=float) - scene.half_beads)
 
 
 def _solve_equation(scene, equation, chain):
     """Return what one equation says, and how far from it the chain is."""
-    snapshots = np.asarray(scene["record"]["snapshots"], dtype=float)
-    grid = regular_points(0.0, scene["end_time"], scene["record"]["grid"]["step"])
+    snapshots = np.asarray(scene.record.snapshots, dtype=float)
+    grid = regular_points(0.0, scene.end_time, scene.record.grid.step)
     solutions = solve_refined(scene, equation, np.concatenate([snapshots, grid]))
     beads = bead_numbers(scene)
     site = np.linspace(beads[0], beads[-1], SITES_PER_BEAD * (beads.size - 1) + 1)
@@ -131,7 +128,7 @@ def _solve_equation(scene, equation, chain):
 
 def _forces(scene, solution, rows, sites):
     """Return the rescaled force of an equation at bead numbers at the times of some rows."""
-    scaling = scaling_of(scene)
+    scaling = scene.scaling
     shift = scaling.epsilon * scaling.frame_speed * solution.times[rows]
     xi = start_positions(scene, sites) - shift[:, None]
     return np.array([solution.rescaled_force(row, xi[i]) for i, row in enumerate(rows)])
@@ -139,7 +136,7 @@ def _forces(scene, solution, rows, sites):
 
 def _fields(scene):
     """Return each field of the chain, its scale, and its map from a rescaled force (51)."""
-    scaling = scaling_of(scene)
+    scaling = scene.scaling
     return (
         ("relative_displacement", scaling.delta, scaling.displacement),
         ("velocity", scaling.velocity_scale, scaling.velocity),
@@ -163,18 +160,17 @@ def _distances(chain, values, finer, scale):
 
 def _solve_upwind(scene, dataset):
     """Return what the paper's scheme says of (50), on its own points, at the snapshot times."""
-    scaling = scaling_of(scene)
-    half_length = scaling.half_length(scene["half_beads"])
-    xi = upwind.grid(half_length, scene["equations"]["upwind"]["points"])
-    values, passed, rows = make_start(scene["start"]).values(xi, half_length), 0.0, {}
-    for t in sorted(scene["record"]["snapshots"]):
+    scaling, half_length = scene.scaling, scene.half_length
+    xi = upwind.grid(half_length, scene.equations.upwind.points)
+    values, passed, rows = make_start(scene.start).values(xi, half_length), 0.0, {}
+    for t in sorted(scene.record.snapshots):
         if t > passed:
             end = scaling.slow_rate * (t - passed)
             values, passed = upwind.evolve_upwind(values, half_length, end).values, t
         moved = scaling.epsilon * scaling.frame_speed * t
         positions = start_positions(scene, dataset["site"]) - moved
         rows[t] = np.interp(positions, xi, values, period=2.0 * half_length)
-    force = np.array([rows[t] for t in scene["record"]["snapshots"]])
+    force = np.array([rows[t] for t in scene.record.snapshots])
     solved = xr.Dataset(coords={"t": dataset["t"], "site": dataset["site"]})
     for field, _, convert in _fields(scene):
         accurate, curve = dataset[f"{field}_{LOGARITHMIC}"], convert(force)

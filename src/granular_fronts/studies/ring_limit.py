@@ -63,6 +63,7 @@ from granular_fronts.continuum import evolution
 from granular_fronts.continuum.log_burgers import solution as log_burgers
 from granular_fronts.continuum.log_kdv_burgers import solution as log_kdv_burgers
 from granular_fronts.model.amplitude_scaling import SlowScales
+from granular_fronts.scenes.ring import PlateauStart, RingStart
 from granular_fronts.studies.chain_scenes import chain_scene, kuwabara_kono
 from granular_fronts.studies.ring_starts import slope_of, start_fields
 
@@ -87,7 +88,7 @@ class Ring(NamedTuple):
     alpha: float  # exponent of both forces, above 1
     damping: float  # γc, above 0
     half_beads: int  # p; the ring has 2p − 1 beads
-    start: dict  # as in a periodic scene
+    start: RingStart
     velocity: str  # ``leading`` or ``slow``, see `ring_starts`
 
     @property
@@ -106,16 +107,9 @@ class Ring(NamedTuple):
         return 2 * self.half_beads - 1
 
     @property
-    def scene(self):
-        """What the solvers of the equations need of a periodic scene."""
-        law = {"alpha": self.alpha, "gamma": self.damping}
-        scene = {"law": law, "displacement": 1.0, "half_beads": self.half_beads}
-        return scene | {"start": self.start}
-
-    @property
     def has_kinks(self):
         """Whether the start has kinks."""
-        return self.start["kind"] == "plateau"
+        return isinstance(self.start, PlateauStart)
 
 
 class Resolution(NamedTuple):
@@ -306,17 +300,17 @@ def _follow_beads(ring, times, resolution, ends=None):
     )
     run = prepare(scene)
     if ends is None:
-        ends = integrate(run, scene["tolerance"])
+        ends = integrate(run, run.scene.tolerance)
     else:
-        integrate_in_halves(run, scene["tolerance"], ends)
-    data = collect(scene, run).dataset
+        integrate_in_halves(run, run.scene.tolerance, ends)
+    data = collect(run).dataset
     return Motion(
         site,
         data["relative_displacement"].values,
         data["velocity"].values,
         Estimate(float(data["smallest_relative_displacement"]), 0.0),
         gap_time=float(data["first_gap_time"]),
-        events=(scene, run.recording, ends),
+        events=(run.scene, run.recording, ends),
     )
 
 
@@ -370,7 +364,7 @@ def _error_of(both):
 def _solve(ring, equation, times, resolution, coarser=None):
     """Return one equation on the ring; without kinks the start needs no finer cells."""
     return evolution.solve(
-        ring.scene,
+        ring,
         equation,
         times,
         resolution.cells(ring.half_length),

@@ -11,12 +11,14 @@ Errors of the recorded variables are carried through to first order.  For a posi
 the change without every other bead is added.
 """
 
+import json
+
 import numpy as np
 from scipy.stats import linregress
 
 from granular_fronts.accuracy import Estimate, estimate, recorded, rounded
-from granular_fronts.chain.measures import last_fall, scene_of
-from granular_fronts.model.amplitude_scaling import scaling_of
+from granular_fronts.chain.measures import last_fall
+from granular_fronts.scenes.ring import read_ring
 
 # What counts as a bump, relative to δ.
 NOTICEABLE = 0.01
@@ -25,9 +27,14 @@ NOTICEABLE = 0.01
 CHAIN, EQUATION = "relative_displacement", "relative_displacement_logarithmic"
 
 
+def scene_of(dataset):
+    """Return the scene of a ring that a dataset was computed from."""
+    return read_ring(json.loads(dataset.attrs["config"]))
+
+
 def scales(dataset):
     """Return the scales of the scene."""
-    return scaling_of(scene_of(dataset))
+    return scene_of(dataset).scaling
 
 
 def epsilon(dataset):
@@ -37,7 +44,7 @@ def epsilon(dataset):
 
 def half_length(dataset):
     """Return half of the ring in ξ, ℓ = (p − 1/2) ε."""
-    return rounded(scales(dataset).half_length(scene_of(dataset)["half_beads"]))
+    return rounded(scene_of(dataset).half_length)
 
 
 def ring_length(dataset):
@@ -47,14 +54,14 @@ def ring_length(dataset):
 
 def upwind_spacing(dataset):
     """Return the space step of the explicit scheme."""
-    points = scene_of(dataset)["equations"]["upwind"]["points"]
+    points = scene_of(dataset).equations.upwind.points
     return rounded(2.0 * half_length(dataset).value / points)
 
 
 def upwind_step(dataset):
     """Return the time step of the explicit scheme, 4/5 of the limit of stability at Y = η."""
     spacing = upwind_spacing(dataset).value
-    fastest = abs(np.log(scene_of(dataset)["start"]["floor"]))
+    fastest = abs(np.log(scene_of(dataset).start.floor))
     return rounded(0.8 * spacing**2 / (2.0 + fastest * spacing))
 
 
@@ -163,7 +170,7 @@ def _cut_open(dataset, profile, stride):
     profile = profile[::stride]
     scene, scaling = scene_of(dataset), scales(dataset)
     time = float(profile["t" if "t" in profile.coords else "t_grid"])
-    centre = scene["half_beads"] + scaling.frame_speed * time
+    centre = scene.half_beads + scaling.frame_speed * time
     beads, sites = dataset.sizes["bead"], profile[axis].values
     sites = sites + beads * np.round((centre - sites) / beads)
     order = np.argsort(sites)
@@ -184,8 +191,7 @@ def damping_parameter(dataset):
 def plateau_ratio(first, second):
     """Return the plateau of the start, in beads, second scene over first."""
     lengths = [
-        scene_of(dataset)["start"]["half_width"] / scales(dataset).epsilon
-        for dataset in (first, second)
+        scene_of(dataset).start.half_width / scales(dataset).epsilon for dataset in (first, second)
     ]
     return rounded(lengths[1] / lengths[0])
 

@@ -29,6 +29,7 @@ from scipy.special import xlogy
 
 from granular_fronts.continuum.log_burgers.equation import log_burgers_front
 from granular_fronts.continuum.log_burgers.starts import make_start
+from granular_fronts.scenes.ring import GivenForce, PlateauStart
 
 POINTS_PER_UNIT = 8
 """Points of an analytic start to a length 1 in ξ, or in its width where that is smaller."""
@@ -60,11 +61,11 @@ def scene_start(profile, half_width, base, half_length):
     rescaled force, b or the floor of (49).
     """
     if profile == "plateau":
-        return {"kind": "plateau", "half_width": half_width, "floor": base}
+        return PlateauStart(kind="plateau", half_width=float(half_width), floor=float(base))
     finest = min(1.0, half_width) / POINTS_PER_UNIT
     xi = np.linspace(-half_length, half_length, 2 * math.ceil(half_length / finest) + 1)
     values = PROFILES[profile](xi, half_width, base, half_length)
-    return {"kind": "given", "rescaled_force": [*values[:-1], values[0]]}
+    return GivenForce(kind="given", rescaled_force=[*values[:-1], values[0]])
 
 
 def start_fields(start, scaling, half_length, xi, velocity):

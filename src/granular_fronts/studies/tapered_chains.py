@@ -53,6 +53,7 @@ from granular_fronts.accuracy import Estimate, estimate, variable_and_errors
 from granular_fronts.chain.patterns import values_along
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.fronts.solitary_waves import solitary_wave
+from granular_fronts.scenes.beads import Pattern
 from granular_fronts.studies.strikers import struck_chain
 
 HALF_COLLISION = 0.4 * beta(0.4, 0.5)
@@ -69,7 +70,7 @@ METHOD = "change over other contacts, and the error of the motion"
 
 def spheres(taper, beads):
     """Return masses and factors of contacts of spheres whose radii have a taper, a pattern."""
-    radius = values_along({"taper": taper}, beads)
+    radius = values_along(Pattern(taper=taper), beads)
     return radius**3, np.sqrt(2.0 * radius[:-1] * radius[1:] / (radius[:-1] + radius[1:]))
 
 

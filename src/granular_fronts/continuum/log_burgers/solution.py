@@ -31,7 +31,6 @@ import numpy as np
 from granular_fronts.continuum.log_burgers import finite_volumes, time_steps
 from granular_fronts.continuum.log_burgers.starts import Given, Plateau, make_start
 from granular_fronts.errors import SolveError
-from granular_fronts.model.amplitude_scaling import scaling_of
 
 START_LEVELS, LEVELS_WITH_FOOT, SMOOTH_CELLS = 3, 2, 2.0
 # Below it F(y) = y ln y − y is smaller than the rounding of a sum of order 1.
@@ -110,8 +109,8 @@ def solve(scene, alpha, times, cells, tolerance, levels=None, smooth_cells=SMOOT
     """
     times = np.asarray(times, dtype=float)
     levels = start_levels(alpha) if levels is None else levels
-    scaling, start = scaling_of(scene), make_start(scene["start"])
-    half_length, slow_times = scaling.half_length(scene["half_beads"]), scaling.slow_rate * times
+    scaling, start, half_length = scene.scaling, make_start(scene.start), scene.half_length
+    slow_times = scaling.slow_rate * times
     averages = start.averages(cells * 2**levels, half_length, alpha)
     mean, clock = averages.mean(), time_steps.make_clock(FIRST_STEP)
     ahead, kept = list(np.argsort(times, kind="stable")), [None] * times.size

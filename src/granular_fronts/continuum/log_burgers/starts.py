@@ -23,6 +23,7 @@ import numpy as np
 from scipy.special import beta, betainc
 
 from granular_fronts.continuum.log_kdv_burgers.fourier_waves import values_at
+from granular_fronts.scenes.ring import PlateauStart
 
 
 class Plateau(NamedTuple):
@@ -87,10 +88,10 @@ class Given(NamedTuple):
 
 
 def make_start(start):
-    """Return the start that a checked scene describes."""
-    if start["kind"] == "plateau":
-        return Plateau(float(start["half_width"]), float(start["floor"]))
-    return Given(tuple(start["rescaled_force"]))
+    """Return the start that a scene describes."""
+    if isinstance(start, PlateauStart):
+        return Plateau(start.half_width, start.floor)
+    return Given(start.rescaled_force)
 
 
 def wrap(xi, half_length):

@@ -62,7 +62,6 @@ from granular_fronts.continuum.log_kdv_burgers.fourier_waves import (
     values_on_points,
     wave_numbers,
 )
-from granular_fronts.model.amplitude_scaling import scaling_of
 
 START_LEVELS, EXTINCTION = 2, 30.0
 SOLVER = (
@@ -119,8 +118,8 @@ def solve(scene, times, cells, tolerance, levels=None, coarser=None):
     """
     times = np.asarray(times, dtype=float)
     levels = START_LEVELS if levels is None else levels
-    scaling, start = scaling_of(scene), make_start(scene["start"])
-    half_length, slow_times = scaling.half_length(scene["half_beads"]), scaling.slow_rate * times
+    scaling, start, half_length = scene.scaling, make_start(scene.start), scene.half_length
+    slow_times = scaling.slow_rate * times
     equation = Equation(half_length, 1.0, scaling.dispersion, tolerance)
     kept, motion = follow(
         equation, start, slow_times, cells, tolerance, levels, coarser and coarser.step_ends

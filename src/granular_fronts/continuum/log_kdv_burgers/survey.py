@@ -1,7 +1,7 @@
 """From a heteroclinic scene to a dataset: fronts for a list of dampings, and the plane around them.
 
 A scene is the mapping that the configuration holds under `scenes: heteroclinic:`; its keys are
-described in `workflow/schemas/config.schema.yaml`.  Variables of the dataset:
+described in `granular_fronts.scenes.orbit`.  Variables of the dataset:
 
 - the fronts: `rescaled_force`, `slope`, `log_rescaled_force` on (mu, s); their extrema in that
   range: `overshoot`, `turning_point` on (mu, turn), NaN where an orbit has fewer;
@@ -32,7 +32,7 @@ from granular_fronts.continuum.log_kdv_burgers.heteroclinic import (
     turning_points,
 )
 from granular_fronts.numerics.grids import regular_points
-from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.orbit import read_orbits
 
 # Extrema below this deviation from 1 are linear to round-off when ratios of them are taken.
 LINEAR = 1e-9
@@ -49,12 +49,14 @@ PORTRAIT_REFINEMENT = 100.0
 
 def survey_heteroclinic(scene, name="given"):
     """Return the fronts, their approach to (1, 0), and what else figure 8 shows; see the module."""
-    scene = check_scene("heteroclinic", scene, name)
-    parts = [survey_fronts(scene["mu"], regular_points(**scene["profile"]))]
-    if "well" in scene:
-        parts.append(_sample_potential(**scene["well"]))
-    if "portrait" in scene:
-        parts.append(_draw_portrait(**scene["portrait"]))
+    scene = read_orbits(scene, name)
+    profile = scene.profile
+    s = regular_points(profile.start, profile.stop, profile.step)
+    parts = [survey_fronts(scene.mu, s)]
+    if scene.well:
+        parts.append(_sample_potential(scene.well.limit, scene.well.step))
+    if scene.portrait:
+        parts.append(_draw_portrait(**dict(scene.portrait)))
     survey = xr.merge(parts, combine_attrs="drop_conflicts")
     survey.attrs["converged"] = min(part.attrs.get("converged", 1) for part in parts)
     return survey

@@ -33,7 +33,7 @@ def make_scene(law, beads, end_time, left=1.0, right=0.0, start=None, tolerance=
 
 def final_state(scene):
     """Fields u and ẋ at the last snapshot, and the drifts of the balance laws."""
-    solution = solve(scene, scene["tolerance"])
+    solution = solve(scene)
     final = solution.dataset.isel(t=-1)
     return final["relative_displacement"].values, final["velocity"].values, solution.drifts
 

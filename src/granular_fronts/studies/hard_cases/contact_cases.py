@@ -99,7 +99,7 @@ def free_flight():
 def energy_of_openings():
     """The energy balance of the same chain while its contacts open one by one."""
     scene = squeezed_chain()
-    solution = solve(scene, scene["tolerance"])
+    solution = solve(scene)
     return HardCase(
         problem=f"{SQUEEZED}, to t = 100",
         expected="energy lost by the beads is the energy dissipated in the contacts",

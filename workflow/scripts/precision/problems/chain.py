@@ -16,9 +16,9 @@ from granular_fronts.chain.run import (
     prepare,
     work_done,
 )
-from granular_fronts.model.laws import make_law
 from granular_fronts.numerics.runge_kutta import STAGES
 from granular_fronts.reference_methods import position_forms
+from granular_fronts.scenes.chain import read_chain
 from peers import diffrax_chain, lammps_chain, numbalsoda_chain, scilab_chain, scipy_chain
 from peers.chain_system import ChainSystem
 from peers.runs import Run, Stopwatch
@@ -68,7 +68,7 @@ def _run_strain_form(scene, tolerance):
     run = prepare(scene)
     with Stopwatch() as watch:
         integrate(run, {"relative": tolerance, "absolute": ABSOLUTE_OVER_RELATIVE * tolerance})
-    final = collect(scene, run).dataset.isel(t=-1)
+    final = collect(run).dataset.isel(t=-1)
     work = work_done(run)
     return Run(
         {name: final[name].values for name in FIELDS},
@@ -80,9 +80,10 @@ def _run_strain_form(scene, tolerance):
 
 def _run_plain_form(form, scene, tolerance):
     """Run the same pair in (x, w) or (x, ẋ)."""
-    law, boundary = make_law(scene["law"]), make_boundary(scene)
+    scene = read_chain(scene)
+    law, boundary = scene.law, make_boundary(scene)
     system, y = position_forms.pack(form, law, boundary, *initial_state(scene, law, boundary))
-    absolute, end = ABSOLUTE_OVER_RELATIVE * tolerance, scene["end_time"]
+    absolute, end = ABSOLUTE_OVER_RELATIVE * tolerance, scene.end_time
     with Stopwatch() as watch:
         y, accepted = position_forms.integrate_adaptive(
             system, y, FIRST_STEP, end, tolerance, absolute

@@ -21,8 +21,8 @@ from granular_fronts.continuum.log_burgers.solution import SMALLEST_ARGUMENT, ST
 from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.continuum.log_kdv_burgers.fourier_waves import Equation, values_at
 from granular_fronts.continuum.log_kdv_burgers.solution import follow
-from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.reference_methods import upwind
+from granular_fronts.scenes.ring import read_ring
 from peers.runs import Run, Stopwatch
 from problems.problem import Problem, Reference
 
@@ -36,8 +36,8 @@ FOURIER_ORDER, FOURIER_LEVELS = 4, 4
 
 def make_problem(problem, _states=None):
     """Return one ring of ``precision.log_burgers`` with its `scene`."""
-    scene, fine = problem["scene"], problem["reference"]
-    accurate = solve(scene, 1.0, [scene["end_time"]], fine["cells"], fine["tolerance"])
+    scene, fine = read_ring(problem["scene"]), problem["reference"]
+    accurate = solve(scene, 1.0, [scene.end_time], fine["cells"], fine["tolerance"])
     independent = _run_fourier(scene, accurate, fine["points"], fine["longest_step"])
     error = float(np.abs(independent.fields["rescaled_force"]).max())
     widths = [1.0 / cells for cells in problem["cells"]]
@@ -66,7 +66,7 @@ def _run_upwind(scene, accurate, width):
     """Run the paper's scheme."""
     points, half_length, end = round(1.0 / width), accurate.half_length, _end_of(scene)
     with Stopwatch() as watch:
-        values = make_start(scene["start"]).values(upwind.grid(half_length, points), half_length)
+        values = make_start(scene.start).values(upwind.grid(half_length, points), half_length)
         found = upwind.evolve_upwind(values, half_length, end)
     fields = _distances(accurate, found.xi, found.values)
     return Run(fields, **watch.times, right_hand_sides=found.steps, steps=found.steps, grid=points)
@@ -77,7 +77,7 @@ def _run_cells(scene, accurate, levels, width):
     cells = round(1.0 / width)
     tolerance = TOLERANCE_PER_WIDTH * (2.0 * accurate.half_length / cells) ** 6
     with Stopwatch() as watch:
-        evolution = solve(scene, 1.0, [scene["end_time"]], cells, tolerance, levels)
+        evolution = solve(scene, 1.0, [scene.end_time], cells, tolerance, levels)
     xi = upwind.grid(accurate.half_length, EVALUATED_POINTS)
     return Run(
         _distances(accurate, xi, evolution.rescaled_force(0, xi)),
@@ -96,7 +96,7 @@ def _run_fourier(scene, accurate, points, longest_step):
     doubled = np.arange(0.0, end + 4.0 * longest_step, 2.0 * longest_step).tolist()
     tolerance = longest_step**FOURIER_ORDER
     with Stopwatch() as watch:
-        start = make_start(scene["start"])
+        start = make_start(scene.start)
         kept, motion = follow(
             equation, start, [end], points, tolerance, FOURIER_LEVELS, coarser=doubled
         )
@@ -112,7 +112,7 @@ def _run_fourier(scene, accurate, points, longest_step):
 
 def _end_of(scene):
     """Return τ at the end."""
-    return scaling_of(scene).slow_rate * scene["end_time"]
+    return scene.scaling.slow_rate * scene.end_time
 
 
 def _distances(accurate, xi, values):
