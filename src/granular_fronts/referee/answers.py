@@ -20,7 +20,7 @@ from granular_fronts.chain.simulate import ERROR_METHOD
 from granular_fronts.fronts.solitary_waves import solitary_wave
 from granular_fronts.referee.measurements import NAMES, read_motion
 from granular_fronts.referee.problems import ALPHA
-from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.chain import read_chain
 
 LAST_BEADS = 3  # whose velocities at the end are listed
 
@@ -70,8 +70,8 @@ def _read_at(problem, factor):
     """Return the number that depends on the damping at a factor times γ, by both solutions."""
     law = problem.scene["law"]
     scene = problem.scene | {"law": law | {"gamma": factor * law["gamma"]}}
-    scene = check_scene("chain", scene, problem.name)
-    motions = refined_by(partial(simulate.refine, scene), simulate.solve(scene, scene["tolerance"]))
+    scene = read_chain(scene, problem.name)
+    motions = refined_by(partial(simulate.refine, scene), simulate.solve(scene))
     return motions.map(lambda motion: read_motion(problem, *states(motion.dataset)))
 
 
