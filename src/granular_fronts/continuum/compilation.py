@@ -2,12 +2,17 @@
 
 from granular_fronts.continuum.log_burgers.solution import solve
 from granular_fronts.continuum.log_kdv_burgers.survey import survey_heteroclinic
+from granular_fronts.scenes.ring import read_ring
 
 RING = {
     "law": {"alpha": 1.5, "gamma": 0.24},
     "displacement": 5.0,
     "half_beads": 20,
     "start": {"kind": "plateau", "half_width": 4.0, "floor": 1.0e-7},
+    "end_time": 0.1,
+    "tolerance": {"relative": 1.0e-4, "absolute": 1.0e-4},
+    "equations": {"logarithmic": {"cells": 128, "tolerance": 1.0e-4}},
+    "record": {"snapshots": [0.1], "grid": {"step": 0.1}},
 }
 FRONTS = {
     # Underdamped, critical and overdamped fronts, and one strong enough for the slow manifold.
@@ -19,6 +24,7 @@ FRONTS = {
 
 def compile_kernels():
     """Compile every kernel, so that jobs which run side by side find them in the cache."""
-    for alpha in (1.0, RING["law"]["alpha"]):
-        solve(RING, alpha, [0.1], 128, 1.0e-4)
+    ring = read_ring(RING)
+    for alpha in (1.0, ring.law.alpha):
+        solve(ring, alpha, [0.1], 128, 1.0e-4)
     survey_heteroclinic(FRONTS)
