@@ -17,7 +17,8 @@ from granular_fronts.referee.answers import solve
 from granular_fronts.referee.assessment import find, report
 from granular_fronts.referee.lammps_deck import write_deck
 from granular_fronts.referee.lammps_run import run_lammps
-from granular_fronts.referee.problems import load_problems, read_settings
+from granular_fronts.referee.problems import load_problems
+from granular_fronts.referee.settings import read_settings
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.half_step_damping import _measure_excess, measure_half_step_damping
 from granular_fronts.studies.half_step_motions import Case, collision_time
@@ -142,7 +143,7 @@ def test_what_the_referee_says_of_a_solitary_wave():
     read = numbers(r"0\.5 apart, as above, it is (\S+)\. Long waves")
     assert (findings[0].exact,) == pytest.approx(read, abs=5.1e-7)
     assert 100.0 * (1.0 - 0.8**0.5 / value) == pytest.approx(1.2, abs=0.05)
-    collision = collision_time(1.5) * SETTINGS["displacement"] ** -0.25
+    collision = collision_time(1.5) * SETTINGS.displacement**-0.25
     *counts, _ = numbers(
         r"At \$t_c/(\d+)\$ the number is off by \S+ %, at \$t_c/(\d+)\$ by (\S+) %"
     )
@@ -162,7 +163,7 @@ def test_lammps_moves_beads_as_our_scheme_does(name, older):
     problem = PROBLEMS[name]
     deck = write_deck(problem.name, problem.title, problem.scene, problem.interval)
     if older:
-        style = f"{older} 2 0 {6.0 * problem.scene['law']['gamma']!r} 0 0 0"
+        style = f"{older} 2 0 {6.0 * problem.scene.law.gamma!r} 0 0 0"
         granular = '"pair_style granular" "pair_coeff * * ${law}"'
         deck = deck.replace(granular, f'"pair_style {style}" "pair_coeff * *"')
     assert older in deck
@@ -175,7 +176,7 @@ def test_lammps_moves_beads_as_our_scheme_does(name, older):
 def test_how_a_line_of_balls_breaks_up():
     name = "solitary_wave_undamped_hertz"
     problem, answer = PROBLEMS[name], solve(PROBLEMS[name])
-    unit = problem.scene["start"]["velocity"][0]
+    unit = problem.front_velocity
     last = answer["velocity"].values[-1] / unit
     printed = numbers(r"balls leave with (\S+), (\S+) and (\S+) of the striker")
     assert last[:-4:-1] == pytest.approx(printed, abs=5.1e-10)
@@ -205,7 +206,7 @@ def test_ejected_beads():
 def test_problems_and_the_time_of_a_collision():
     assert numbers(r"writes (\d+) problems into `results/referee`") == (len(PROBLEMS),)
     unit, count = numbers(r"t_c = (\S+)\$, so that 0\.1 is \$t_c/(\d+)\$\.")
-    exact = collision_time(1.5) * SETTINGS["displacement"] ** -0.25
+    exact = collision_time(1.5) * SETTINGS.displacement**-0.25
     assert (round(exact, 2), round(exact / 0.1)) == (unit, count)
 
 
@@ -225,8 +226,8 @@ def test_commands_run_as_shown(tmp_path):
     make, enter, ask = commands(DOCUMENT)
     assert make == "snakemake -c2 referee"
     folder = tmp_path / enter.removeprefix("cd ")
-    front = {"front": SETTINGS["motions"]["front"] | {"dampings": ["steel"]}}
-    write_referee(SETTINGS | {"motions": front}, folder / "answers.csv")
+    front = {"front": SETTINGS.motions.front.plain() | {"dampings": ["steel"]}}
+    write_referee(SETTINGS.plain() | {"motions": front}, folder / "answers.csv")
     for step in (0.25, 0.1, 0.05, 0.025):
         result = half_steps(PROBLEMS["front_steel_viscoelastic"], step)
         write_dump(folder / f"front_steel_viscoelastic_{step}.dump", result)

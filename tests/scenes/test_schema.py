@@ -14,7 +14,7 @@ from granular_fronts.scenes.parts import Part
 from granular_fronts.scenes.schema import load_schema
 from granular_fronts.scenes.yaml_files import load_configuration
 
-SCHEMAS = {name: load_schema(name) for name in ("config", "campaign", "referee")}
+SCHEMAS = {name: load_schema(name) for name in ("config", "campaign")}
 
 
 def schema_nodes(node, path="schema"):

@@ -9,10 +9,9 @@ from granular_fronts.reference_methods.half_step import Chain, integrate
 def half_steps(problem, step, factor=1.0):
     """The motion that LAMMPS's `fix nve` has to round-off, with γ times a factor."""
     scene, every = problem.scene, round(problem.interval / step)
-    law, start = scene["law"], scene["start"]
-    chain = Chain(1.5, law["beta"], factor * law["gamma"], scene["boundary"]["left"])
-    steps = round(scene["end_time"] / step)
-    motion = integrate(chain, np.zeros(scene["beads"]), start["velocity"], step, steps)
+    chain = Chain(1.5, scene.law.beta, factor * scene.law.gamma, scene.boundary.left)
+    steps = round(scene.end_time / step)
+    motion = integrate(chain, np.zeros(scene.beads.count), scene.start.velocity, step, steps)
     return Result(problem.name, step, motion.t[::every], motion.x[::every], motion.v[::every])
 
 

@@ -17,6 +17,7 @@ import xarray as xr
 
 from granular_fronts.referee.lammps_deck import write_deck
 from granular_fronts.referee.lammps_run import run_lammps
+from granular_fronts.scenes.chain import Chain
 
 REFERENCES = Path(__file__).parents[2] / "tests" / "references"
 BEADS, STEP, END_TIME = 20, 0.1, 60.0
@@ -26,18 +27,25 @@ CASES = list(product((1.5, 1.25, 1.0), (0.06, 0.3), ((0.1, 0.0), (0.0, 0.2))))
 
 def scene_of(beta, gamma, left, velocity):
     """A chain as the package takes it."""
-    return {
-        "law": {"alpha": 1.5, "beta": beta, "gamma": gamma},
-        "beads": BEADS,
-        "boundary": {"kind": "pressure", "left": left, "right": 0.0},
-        "start": {"kind": "given", "velocity": [velocity] + [0.0] * (BEADS - 1)},
-        "end_time": END_TIME,
-    }
+    at_rest = [0.0] * (BEADS - 1)
+    return Chain(
+        law={"alpha": 1.5, "beta": beta, "gamma": gamma},
+        beads=BEADS,
+        boundary={"kind": "pressure", "left": left, "right": 0.0},
+        start={
+            "kind": "given",
+            "relative_displacement": at_rest,
+            "velocity": [velocity, *at_rest],
+        },
+        end_time=END_TIME,
+        tolerance={"relative": 1e-12, "absolute": 1e-14},
+        record={"snapshots": []},
+    )
 
 
 def final_state(scene, step, command="lmp", integrator="nve"):
     """Final displacements and velocities by LAMMPS, and its version."""
-    deck = write_deck("chain", "reference", scene, scene["end_time"])
+    deck = write_deck("chain", "reference", scene, scene.end_time)
     result, report = run_lammps(command, "chain", deck, step, integrator)
     return result.x[-1], result.v[-1], report.splitlines()[0]
 

@@ -1,6 +1,7 @@
 """Problems with accurate answers for discrete-element codes, see docs/practitioners.md."""
 
-from granular_fronts.referee.problems import load_problems, read_settings
+from granular_fronts.referee.problems import load_problems
+from granular_fronts.referee.settings import read_settings
 
 with exit_on_error("The problems of the referee cannot be stated."):
     REFEREE = read_settings("config/referee.yaml")
@@ -19,7 +20,7 @@ rule write_referee:
         ),
     params:
         code=code("write_referee"),
-        settings=REFEREE,
+        settings=REFEREE.plain(),
     log:
         "<logs>/write_referee.log",
     benchmark:

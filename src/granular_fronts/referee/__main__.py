@@ -17,6 +17,7 @@ from granular_fronts.referee.answers import problems_of
 from granular_fronts.referee.assessment import find, report
 from granular_fronts.referee.problems import Problem
 from granular_fronts.referee.results_files import read_result
+from granular_fronts.scenes.sentences import read_part
 
 
 def main(arguments):
@@ -83,7 +84,7 @@ def _read_answer(path):
 def judge(path, results, options):
     """One problem."""
     answer = _read_answer(path)
-    problem = Problem(**configuration_of(answer))
+    problem = read_part(Problem, configuration_of(answer))
     findings = [find(problem, answer, result) for result in results]
     print("\n".join(report(problem, findings, options.error)))
     if options.figures:

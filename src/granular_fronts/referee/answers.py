@@ -54,7 +54,7 @@ def solve(problem):
             "t": t,
             "contact": np.arange(1, u.shape[1] + 1),
             "bead": np.arange(1, v.shape[1] + 1),
-            "factor": problem.factors,
+            "factor": [*problem.factors],
             "quantity": list(names),
         },
     )
@@ -68,9 +68,8 @@ def states(motion):
 
 def _read_at(problem, factor):
     """Return the number that depends on the damping at a factor times γ, by both solutions."""
-    law = problem.scene["law"]
-    scene = problem.scene | {"law": law | {"gamma": factor * law["gamma"]}}
-    scene = read_chain(scene, problem.name)
+    law = problem.scene.law.with_damping(factor)
+    scene = read_chain(problem.scene.plain() | {"law": law}, problem.name)
     motions = refined_by(partial(simulate.refine, scene), simulate.solve(scene))
     return motions.map(lambda motion: read_motion(problem, *states(motion.dataset)))
 

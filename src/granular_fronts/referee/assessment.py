@@ -5,7 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.errors import InputError
-from granular_fronts.referee.measurements import NAMES, excess_damping, read_motion, velocity_scale
+from granular_fronts.referee.measurements import NAMES, excess_damping, read_motion
+from granular_fronts.referee.problems import ALPHA
 from granular_fronts.referee.results_files import ALL_DIGITS
 
 CLEAR = 0.25  # largest distance of a clear order from a whole number, and its largest scatter
@@ -46,7 +47,7 @@ def find(problem, answer, result):
         u = -np.diff(x, axis=1)
         distances = (
             np.abs(u - answer["relative_displacement"].values).max() / problem.displacement,
-            np.abs(v - answer["velocity"].values).max() / velocity_scale(problem),
+            np.abs(v - answer["velocity"].values).max() / problem.front_velocity,
         )
         return float(max(distances)), read_motion(problem, answer["t"].values, u, v)
 
@@ -68,7 +69,7 @@ def find(problem, answer, result):
 def _matching_rows(problem, answer, result):
     """Return the rows of a result at the times of the answer."""
     name = f"{problem.name} with step {result.step:g}"
-    beads = problem.scene["beads"]
+    beads = problem.scene.beads.count
     if result.x.shape[1] != beads:
         raise InputError(
             f"{name} has {result.x.shape[1]} beads, but the problem has {beads}: compute these."
@@ -95,12 +96,12 @@ def _check_start(problem, step, u, v):
             f"{name}: at t = 0 beads are {farthest:.3g} from where they just touch; give x as "
             "displacement from there, or as position in diameters."
         )
-    off = float(np.abs(v - problem.scene["start"]["velocity"]).max())
-    pressure = problem.displacement ** problem.scene["law"]["alpha"]
-    if off > 0.5 * step * pressure + SAME_START * velocity_scale(problem):
+    off = float(np.abs(v - problem.scene.start.velocity).max())
+    pressure = problem.displacement**ALPHA
+    if off > 0.5 * step * pressure + SAME_START * problem.front_velocity:
         raise InputError(
             f"{name}: at t = 0 a velocity is {off:.3g} off; in the problem bead 1 has "
-            f"{problem.scene['start']['velocity'][0]:.6g} and the others rest."
+            f"{problem.scene.start.velocity[0]:.6g} and the others rest."
         )
 
 
@@ -149,7 +150,7 @@ def report(problem, findings, wanted):
 
 
 def _damping_in_words(problem, finding):
-    if problem.scene["law"]["gamma"] == 0.0:
+    if problem.scene.law.gamma == 0.0:
         return f"; {NAMES[problem.motion]} {finding.measurement:.5g}, exact {finding.exact:.5g}"
     if np.isnan(finding.excess):
         return ""

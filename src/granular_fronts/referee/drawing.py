@@ -18,7 +18,7 @@ def draw(problem, answer, results, findings):
 
 
 def _draw_motion(axes, problem, answer, results):
-    contact = problem.scene["beads"] // 2
+    contact = problem.scene.beads.count // 2
     u = answer["relative_displacement"].sel(contact=contact)
     axes.plot(answer["t"], u, "-", color=EQUATION_COLOUR, label="accurate")
     colours = colormaps["plasma"](np.linspace(0.85, 0.0, len(results)))

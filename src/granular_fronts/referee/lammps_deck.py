@@ -19,6 +19,7 @@ style of dissipative particles, here without force.
 import math
 
 from granular_fronts.errors import InputError
+from granular_fronts.scenes.chain import Given
 
 DIAMETER = 1.0
 MARGIN = 10.0  # room around the chain, in diameters
@@ -66,16 +67,16 @@ def write_deck(name, title, scene, interval):
     `name` begins the name of the file that LAMMPS writes, `interval` lies between two states in it.
     An InputError says that LAMMPS has no such law.
     """
-    beads, velocities = scene["beads"], _start_velocities(scene)
-    pressure = scene["boundary"]["left"] ** scene["law"]["alpha"]
-    damping, coefficient = damping_model(scene["law"])
+    beads, velocities = scene.beads.count, _start_velocities(scene)
+    pressure = scene.boundary.left_end**scene.law.alpha
+    damping, coefficient = damping_model(scene.law)
     atoms = "\n".join(f"create_atoms 1 single {n * DIAMETER!r} 0 0" for n in range(beads))
     moving = [(n, v) for n, v in enumerate(velocities, 1) if v]
     return DECK.format(
         title=title,
         name=name,
         interval=float(interval),
-        end_time=float(scene["end_time"]),
+        end_time=scene.end_time,
         low=-MARGIN,
         high=beads * DIAMETER + MARGIN + _farthest(scene),
         atoms=atoms,
@@ -88,7 +89,7 @@ def write_deck(name, title, scene, interval):
 
 def damping_model(law):
     """Return LAMMPS's name and coefficient of a viscous force; an InputError if it has no name."""
-    alpha, beta, gamma = (float(law[name]) for name in ("alpha", "beta", "gamma"))
+    alpha, beta, gamma = law.alpha, law.beta, law.gamma
     if alpha == 1.5 and beta == 1.5:
         return "viscoelastic", 6.0 * gamma
     if alpha == 1.5 and beta == 1.0:
@@ -103,11 +104,10 @@ def damping_model(law):
 
 
 def _start_velocities(scene):
-    return scene["start"].get("velocity", [0.0] * scene["beads"])
+    return scene.start.velocity if isinstance(scene.start, Given) else ()
 
 
 def _farthest(scene):
     """Return a bound of a bead's path, at thrice the velocity of a front or of the start."""
-    law, left = scene["law"], scene["boundary"]["left"]
-    fastest = max(left ** (0.5 * (law["alpha"] + 1.0)), *map(abs, _start_velocities(scene)))
-    return 3.0 * fastest * scene["end_time"]
+    of_front = scene.boundary.left_end ** (0.5 * (scene.law.alpha + 1.0))
+    return 3.0 * max(of_front, *map(abs, _start_velocities(scene)), 0.0) * scene.end_time

@@ -19,7 +19,7 @@ derived this for long waves, and Coste, Falcon and Fauve measured it in a chain 
 
 import numpy as np
 
-from granular_fronts.referee.problems import APART
+from granular_fronts.referee.settings import APART
 from granular_fronts.studies.half_step_damping import excess_by_table
 from granular_fronts.studies.half_step_motions import cubic_between
 
@@ -38,24 +38,19 @@ def scale_of(problem):
     """Return the scale of the number: δ, or the velocity of the beads behind a front."""
     if problem.motion in ("front", "striker", "solitary_wave"):
         return problem.displacement
-    return velocity_scale(problem)
-
-
-def velocity_scale(problem):
-    """Return δ^((α + 1)/2)."""
-    return problem.displacement ** (0.5 * (problem.scene["law"]["alpha"] + 1.0))
+    return problem.front_velocity
 
 
 def read_motion(problem, t, u, v):
     """Return number that says the damping, from u (T, N − 1) and v (T, N); NaN without a peak."""
     if problem.motion == "solitary_wave":
-        return _speed_over_force(t, u, v, problem.scene["beads"] // 2)
+        return _speed_over_force(t, u, v, problem.scene.beads.count // 2)
     if problem.motion == "contact_loss":
         found = float(v[-1, -1])
     elif problem.motion == "collision":
         found = float(v[-1, 1] - v[-1, 0])
     else:
-        middle = problem.scene["beads"] // 2
+        middle = problem.scene.beads.count // 2
         found = _peak_at(t, u, v, middle)[1]
     return found / scale_of(problem)
 

@@ -7,28 +7,24 @@ units of the front (29): :math:`\gamma = \hat\gamma\,\delta^{5/4-\beta}`.  Witho
 are Hertz's.
 """
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
-from itertools import pairwise
-from pathlib import Path
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from typing import Any
+
+from pydantic import Field
 
 from granular_fronts.errors import InputError
 from granular_fronts.referee.lammps_deck import damping_model
-from granular_fronts.scenes.memory import Held, memory_problems
-from granular_fronts.scenes.parts import name_entry
-from granular_fronts.scenes.schema import violations
-from granular_fronts.scenes.yaml_files import read_yaml
+from granular_fronts.referee.settings import LABEL, Settings
+from granular_fronts.scenes.chain import Chain
+from granular_fronts.scenes.parts import Part, Several
+from granular_fronts.scenes.sentences import read_part
 
 ALPHA = 1.5
-APART = 5  # contacts on both sides between which a pulse is timed
 
 PRESSED = "a constant force of {force!r} pushes bead 1 towards bead 2 from t = 0 on"
 STRUCK = "bead 1 has the velocity {velocity!r} towards bead 2"
 MOTIONS = {"front": PRESSED, "contact_loss": PRESSED, "striker": STRUCK, "collision": STRUCK}
 MOTIONS |= {"solitary_wave": STRUCK}
-
-SAME = 1.0e-9  # relative distance of a quotient from a whole number that counts as none
-NUMBERS_OF_A_BEAD = 4  # of each state: u and ẋ, of the solution and of its refinement
 
 WORDS = """\
 {title}
@@ -49,170 +45,98 @@ LAMMPS do so by {name}.lmp. Then run
 """
 
 
-class Problem(NamedTuple):
-    """A motion to compute.
+class Problem(Part):
+    """A motion to compute."""
 
-    `motion` is one of `MOTIONS`, `scene` is as `simulate_chain` takes it, `displacement` is δ, and
-    `interval` is the time between two states that are compared.  `factors` are the dampings over γ
-    at which `measurements` are computed.
-    """
-
-    name: str
-    motion: str
-    scene: dict[str, Any]
-    displacement: float
-    interval: float
-    factors: list[float]
+    name: str = Field(description="Its motion, damping and law.")
+    motion: str = Field(description="One of `MOTIONS`.")
+    scene: Chain = Field(description="The chain.")
+    displacement: float = Field(description="Relative displacement δ.")
+    interval: float = Field(description="Time between two states that are compared.")
+    factors: Several[float] = Field(
+        description="Dampings over γ at which `measurements` are computed."
+    )
 
     @property
     def title(self) -> str:
         """Name and law in one line."""
-        law = self.scene["law"]
-        return f"{self.name}: alpha = 3/2, beta = {law['beta']:g}, gamma = {law['gamma']:.6g}"
+        law = self.scene.law
+        return f"{self.name}: alpha = 3/2, beta = {law.beta:g}, gamma = {law.gamma:.6g}"
+
+    @property
+    def front_velocity(self) -> float:
+        """Velocity δ^((α + 1)/2) of the beads behind a front, and of a bead that strikes."""
+        return self.displacement ** (0.5 * (ALPHA + 1.0))
 
 
-def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
+def load_problems(settings: Mapping[str, Any] | Settings) -> dict[str, Problem]:
     """Return all problems of the section ``referee`` of config/referee.yaml, by their names.
 
     An InputError says in a sentence what is wrong, such as a law that LAMMPS does not have.
     """
-    _check_settings(settings)
+    settings = read_part(Settings, settings, LABEL)
     found: dict[str, Problem] = {}
-    for motion, chain in settings["motions"].items():
-        for damping in chain["dampings"]:
-            laws = settings["laws"] if settings["dampings"][damping] else {"hertz": ALPHA}
-            for law, beta in laws.items():
+    for motion, chain in settings.motions.by_name().items():
+        for damping in chain.dampings:
+            strength = settings.dampings[damping]
+            for law, beta in (settings.laws if strength else {"hertz": ALPHA}).items():
                 name = f"{motion}_{damping}_{law}"
-                scene = _scene_of(motion, chain, beta, settings["dampings"][damping], settings)
-                _check_problem(name, scene, found)
+                if name in found:
+                    raise InputError(
+                        f"{LABEL}two problems are called {name}: rename a damping or a law."
+                    )
                 found[name] = Problem(
-                    name,
-                    motion,
-                    scene,
-                    settings["displacement"],
-                    settings["interval"],
-                    settings["factors"],
+                    name=name,
+                    motion=motion,
+                    scene=_scene_of(name, motion, beta, strength, settings),
+                    displacement=settings.displacement,
+                    interval=settings.interval,
+                    factors=settings.factors,
                 )
     return found
 
 
-def _check_problem(name: str, scene: Mapping[str, Any], others: Collection[str]) -> None:
-    try:
-        damping_model(scene["law"])
-    except InputError as error:
-        raise InputError(f"config/referee.yaml: problem {name}: {error}") from None
-    if name in others:
-        raise InputError(
-            f"config/referee.yaml: two problems are called {name}: rename a damping or a law."
-        )
-
-
-def _scene_of(
-    motion: str,
-    chain: Mapping[str, Any],
-    beta: float,
-    damping: float,
-    settings: Mapping[str, Any],
-) -> dict[str, Any]:
-    """Return one problem as `simulate_chain` takes it."""
-    delta, beads = settings["displacement"], chain["beads"]
-    pressed = motion in ("front", "contact_loss")
-    velocity = [0.0 if pressed else delta ** (0.5 * (ALPHA + 1.0)), *[0.0] * (beads - 1)]
+def _scene_of(name: str, motion: str, beta: float, damping: float, settings: Settings) -> Chain:
+    """Return the chain of one problem, whose law LAMMPS has."""
+    delta, chain = settings.displacement, settings.motions.by_name()[motion]
+    label, pressed = f"{LABEL}problem {name}: ", MOTIONS[motion] == PRESSED
+    velocity = 0.0 if pressed else delta ** (0.5 * (ALPHA + 1.0))
     gamma = damping * delta ** (0.5 * (ALPHA + 1.0) - beta)
-    return {
+    scene = {
         "law": {"alpha": ALPHA, "beta": beta, "gamma": gamma},
-        "beads": beads,
+        "beads": chain.beads,
         "boundary": {"kind": "pressure", "left": delta if pressed else 0.0, "right": 0.0},
         "start": {
             "kind": "given",
-            "relative_displacement": [0.0] * (beads - 1),
-            "velocity": velocity,
+            "relative_displacement": [0.0] * (chain.beads - 1),
+            "velocity": [velocity, *[0.0] * (chain.beads - 1)],
         },
-        "end_time": chain["end_time"],
-        "tolerance": settings["tolerance"],
-        "record": {"snapshots": [], "grid": {"step": settings["interval"]}, "extremes": True},
+        "end_time": chain.end_time,
+        "tolerance": settings.tolerance,
+        "record": {"snapshots": [], "grid": {"step": settings.interval}, "extremes": True},
     }
+    made = read_part(Chain, scene, label)
+    try:
+        damping_model(made.law)
+    except InputError as error:
+        raise InputError(f"{label}{error}") from None
+    return made
 
 
 def in_words(problem: Problem) -> str:
     """Return a problem in plain words and numbers, for any code."""
-    scene, delta = problem.scene, problem.displacement
-    law = scene["law"]
-    velocity = scene["start"]["velocity"][0]
-    moved = MOTIONS[problem.motion].format(force=delta**ALPHA, velocity=velocity)
+    scene, law = problem.scene, problem.scene.law
     return WORDS.format(
         title=problem.title,
         name=problem.name,
-        beads=scene["beads"],
-        moved=moved,
-        beta=law["beta"],
-        gamma=law["gamma"],
-        less=law["beta"] - 1.0,
-        end_time=scene["end_time"],
+        beads=scene.beads.count,
+        moved=MOTIONS[problem.motion].format(
+            force=problem.displacement**ALPHA, velocity=problem.front_velocity
+        ),
+        beta=law.beta,
+        gamma=law.gamma,
+        less=law.beta - 1.0,
+        end_time=scene.end_time,
         interval=problem.interval,
         twice=2.0 * problem.interval,
     )
-
-
-# What config/referee.yaml asks for. Its schema says which keys there are; what ties two keys
-# together is checked here.
-
-
-def read_settings(file: Path | str) -> dict[str, Any]:
-    """Return the section ``referee`` of a file, as `load_problems` takes it.
-
-    An InputError has a sentence for each thing that is wrong in its YAML, keys and values.
-    """
-    given = read_yaml(file)
-    _raise_if_any(violations(given, schema="referee"))
-    return given["referee"]
-
-
-def _check_settings(settings: Mapping[str, Any]) -> None:
-    _raise_if_any(violations(settings, definition="settings", schema="referee"))
-    _raise_if_any([*_factor_errors(settings["factors"]), *_motion_errors(settings)])
-
-
-def _raise_if_any(sentences: Iterable[str]) -> None:
-    errors = [f"config/referee.yaml: {sentence}" for sentence in sentences]
-    if errors:
-        raise InputError("\n".join(errors))
-
-
-def _factor_errors(factors: list[float]) -> Iterator[str]:
-    """A damping is read off a table that increases and holds the problem's own."""
-    for place, (before, factor) in enumerate(pairwise(factors), 1):
-        if factor <= before:
-            yield (
-                f"{name_entry('factors', place)} is {factor}, not above {before} before it: list "
-                "them in increasing order."
-            )
-    if 1 not in factors:
-        yield "factors does not hold 1, the damping of the problem itself: add 1."
-
-
-def _motion_errors(settings: Mapping[str, Any]) -> Iterator[str]:
-    """Motions have known dampings, end at a state, collide in pairs, and fit into memory."""
-    for motion, chain in settings["motions"].items():
-        for damping in chain["dampings"]:
-            if damping not in settings["dampings"]:
-                yield (
-                    f"motions.{motion}.dampings names {damping!r}, which is unknown: choose from "
-                    f"{', '.join(settings['dampings'])}."
-                )
-        intervals = chain["end_time"] / settings["interval"]
-        if abs(intervals - round(intervals)) > SAME * intervals:
-            yield (
-                f"motions.{motion}.end_time is {chain['end_time']}, no multiple of interval "
-                f"{settings['interval']}, so that no state is compared at the end: change one."
-            )
-        if motion == "collision" and chain["beads"] != 2:
-            yield f"motions.collision.beads is {chain['beads']}, but two beads collide: write 2."
-        if motion == "solitary_wave" and chain["beads"] < (least := 2 * APART + 2):
-            yield (
-                f"motions.solitary_wave.beads is {chain['beads']}, too few to time a pulse: write "
-                f"{least} or more."
-            )
-        states = NUMBERS_OF_A_BEAD * chain["beads"] * intervals
-        asked = {f"motions.{motion}.{key}": chain[key] for key in ("beads", "end_time")}
-        yield from memory_problems([Held(asked | {"interval": settings["interval"]}, states)])

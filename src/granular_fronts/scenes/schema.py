@@ -78,39 +78,27 @@ _Validator = validators.extend(
 )
 
 
-def violations(
-    instance: object,
-    definition: str | None = None,
-    place: Sequence[str] = (),
-    schema: str = "config",
-) -> Iterator[str]:
-    """Say how a configuration, or a part of it, violates a schema.
-
-    A part is given with the name of its `definition` in ``$defs``, and the keys to its `place` in a
-    whole configuration.  The schema is ``config``, ``campaign`` or ``referee``.
-    """
-    validator = _validator_of(schema, definition)
+def violations(instance: object, schema: str = "config") -> Iterator[str]:
+    """Say how a configuration violates the schema ``config``, or a campaign ``campaign``."""
+    validator = _validator_of(schema)
     definitions = validator.schema["$defs"]
     errors = sorted(validator.iter_errors(instance), key=lambda error: str(error.path))
     for error in errors:
-        scene, key = _locate([*place, *error.absolute_path])
+        scene, key = _locate([*error.absolute_path])
         if not key and error.validator not in ABOUT_KEYS:
             scene, key = "", scene.removesuffix(": ") or "the file"
         yield scene + _sentence(error, key, definitions)
 
 
 @functools.cache
-def _validator_of(schema: str, definition: str | None) -> Any:
-    """Return the validator of a schema, or of one of its definitions."""
-    rules = load_schema(schema)
-    if definition:
-        rules = {"$ref": f"#/$defs/{definition}", "$defs": rules["$defs"]}
-    return _Validator(rules)
+def _validator_of(schema: str) -> Any:
+    """Return the validator of a schema."""
+    return _Validator(load_schema(schema))
 
 
 @functools.cache
 def load_schema(name: str) -> dict[str, Any]:
-    """Return the schema ``config`` (with the studies), ``campaign`` or ``referee``."""
+    """Return the schema ``config`` (with the studies) or ``campaign``."""
     schema = read_yaml(find_file(f"{name}.schema.yaml", "schemas"))
     if name == "config":
         add_sections(schema)

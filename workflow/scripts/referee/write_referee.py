@@ -27,7 +27,7 @@ def write_referee(settings: dict, table: Path) -> None:
         answers[name] = solve(problem)
         place = table.parent / name
         write_dataset(
-            answers[name], place.with_suffix(".nc"), scene_id=name, config=problem._asdict()
+            answers[name], place.with_suffix(".nc"), scene_id=name, config=problem.plain()
         )
         deck = write_deck(name, problem.title, problem.scene, problem.interval)
         write_text(place.with_suffix(".lmp"), deck)

@@ -16,6 +16,7 @@ import numpy as np
 from granular_fronts.errors import SolveError
 from granular_fronts.referee.lammps_deck import write_deck
 from granular_fronts.referee.lammps_run import run_lammps
+from granular_fronts.scenes.chain import Chain
 from peers.runs import Run
 
 NAME = "chain"
@@ -51,13 +52,15 @@ def find_command():
 
 def _deck_of(system):
     """Return the input file, which writes the first and the last state."""
-    scene = {
-        "law": {"alpha": 1.5, "beta": 1.5, "gamma": system.gamma},
-        "beads": system.beads,
-        "boundary": {"kind": "pressure", "left": system.left, "right": 0.0},
-        "start": {"kind": "rest"},
-        "end_time": system.end,
-    }
+    scene = Chain(
+        law={"alpha": 1.5, "beta": 1.5, "gamma": system.gamma},
+        beads=system.beads,
+        boundary={"kind": "pressure", "left": system.left, "right": 0.0},
+        start={"kind": "rest"},
+        end_time=system.end,
+        tolerance={"relative": 1e-12, "absolute": 1e-14},
+        record={"snapshots": []},
+    )
     return write_deck(NAME, "front initiation", scene, system.end)
 
 
