@@ -11,21 +11,16 @@ include: "workflow/rules/common.smk"
 
 from granular_fronts.scenes.configuration import folder_errors, validate_configuration
 from granular_fronts.errors import InputError, exit_on_error
-from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.scenes.yaml_files import load_configuration, merge
 
-# Of a YAML error Snakemake itself says neither line nor column.
+# Snakemake itself merges files key by key, without a word on a key that is left over from another
+# kind, and says of a YAML error neither line nor column.
 with exit_on_error("The configuration cannot be computed."):
+    GIVEN = workflow.config_settings
     DEFAULTS = load_configuration("config/default.yaml")
-
-
-configfile: "config/default.yaml"
-
-
-with exit_on_error("The configuration cannot be computed."):
+    config = merge(load_configuration("config/default.yaml", *GIVEN.configfiles), GIVEN.config)
     # Whether results can be written counts where a run starts, see onstart.
-    validate_configuration(
-        config, workflow.configfiles, workflow.config_settings.config, writes=False
-    )
+    validate_configuration(config, GIVEN.config, writes=False)
 
 
 pathvars:

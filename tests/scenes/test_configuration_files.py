@@ -31,6 +31,40 @@ def test_merge_goes_deep_and_replaces_lists():
     assert below["a"]["c"] == [1, 2, 3]
 
 
+PRESSURE = {"kind": "pressure", "left": 0.1, "right": 0}
+TODA = {"elastic": {"kind": "toda", "rate": 2}}
+
+
+@pytest.mark.parametrize(
+    ("key", "below", "above", "merged"),
+    [
+        (
+            "boundary",
+            PRESSURE,
+            {"kind": "piston", "velocity": 1},
+            {"kind": "piston", "velocity": 1},
+        ),
+        ("boundary", PRESSURE, {"kind": "pressure", "left": 2}, PRESSURE | {"left": 2}),
+        ("boundary", PRESSURE, {"left": 2}, PRESSURE | {"left": 2}),
+        ("law", {"alpha": 1.5, "gamma": 0.1}, TODA, TODA),
+        ("law", TODA, {"alpha": 2}, {"alpha": 2}),
+        ("law", {"alpha": 1.5, "gamma": 0.1}, {"gamma": 1}, {"alpha": 1.5, "gamma": 1}),
+        ("law", TODA, {"elastic": {"rate": 1}}, {"elastic": {"kind": "toda", "rate": 1}}),
+        ("force", {"pulse": {"height": 1}}, {"table": {"times": [0]}}, {"table": {"times": [0]}}),
+        ("force", {"pulse": {"height": 1}}, {"pulse": {"height": 2}}, {"pulse": {"height": 2}}),
+        ("probes", {"pulse": {"step": 1}}, {"table": {}}, {"pulse": {"step": 1}, "table": {}}),
+        ("probes", {"kind": {"step": 1}}, {"kind": {"stop": 2}}, {"kind": {"step": 1, "stop": 2}}),
+        ("record", {"grid": {"step": 5}, "extremes": True}, {"grid": None}, {"extremes": True}),
+        # A decimal comma in braces, {alpha: 1,5}, is not lost.
+        ("law", {"alpha": 1.5}, {"alpha": 1, 5: None}, {"alpha": 1, 5: None}),
+    ],
+)
+def test_merge_replaces_what_is_of_another_kind_and_takes_away_what_is_null(
+    key, below, above, merged
+):
+    assert merge({key: below}, {key: above}) == {key: merged}
+
+
 @pytest.mark.parametrize(
     ("results", "words"),
     [

@@ -65,6 +65,19 @@ def test_impossible_configuration_is_refused_before_any_job(tmp_path):
     assert not (tmp_path / "results").exists()
 
 
+def test_files_replace_other_kinds_and_the_command_line_wins(tmp_path):
+    """Snakemake itself would leave keys of the boundary and the law that are below."""
+    files = [tmp_path / "one.yaml", tmp_path / "two.yaml"]
+    boundary, law = {"kind": "piston", "velocity": 0.05}, {"elastic": {"kind": "toda"}}
+    for file, changes in zip(files, ({"boundary": boundary}, {"law": law}), strict=True):
+        scenes = {"chain": {"initiation_underdamped": changes}}
+        file.write_text(yaml.safe_dump({"results": "no folder?", "scenes": scenes}))
+    results = f"results={tmp_path / 'results'}"
+    run = snakemake("--dry-run", "--configfile", *files, "--config", results, "--", "fig01")
+    assert run.returncode == 0, run.stderr
+    assert "initiate_front" in rules_due(run)
+
+
 @pytest.mark.parametrize(
     "given", [["--configfile", "config/smoke.yaml"], ["--config", "results=elsewhere"]]
 )

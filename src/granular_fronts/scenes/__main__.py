@@ -31,7 +31,7 @@ if __name__ == "__main__":
         sys.exit()
     files = asked.files or parser.error("name one FILE or more")
     try:
-        validate_configuration(load_configuration(*files), files)
+        validate_configuration(load_configuration(*files))
     except InputError as error:
         sys.exit(str(error))
     print("The configuration can be computed.")

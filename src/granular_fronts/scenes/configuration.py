@@ -6,7 +6,7 @@ results need a folder that can be written, and no key may be ignored.
 
 import copy
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,6 @@ from granular_fronts.scenes.schema import LONGEST_SHOWN, load_schema, violations
 from granular_fronts.scenes.sections import Check, section_errors, section_label
 from granular_fronts.scenes.study import studies
 from granular_fronts.scenes.validation import SCENES, check_scene, raise_if_any
-from granular_fronts.scenes.yaml_files import yaml_errors
 
 MEASUREMENTS = (
     "honesty.*",
@@ -52,16 +51,15 @@ UNUSABLE = *"{}<>*?|\"'\n\t\\$", "://"
 
 def validate_configuration(
     configuration: Mapping,
-    files: Sequence[Path | str] = (),
     arguments: Mapping | None = None,
     writes: bool = True,
 ) -> None:
-    """Validate a merged configuration, its files, and what the command line gave (``--config``).
+    """Validate a merged configuration, and what the command line gave (``--config``).
 
     `writes` says whether results will be written.  An InputError has one sentence for each thing
     that is wrong.
     """
-    raise_if_any([*yaml_errors(files), *_argument_errors(arguments or {})])
+    raise_if_any([*_argument_errors(arguments or {})])
     check_configuration(configuration)
     raise_if_any([*folder_errors(configuration["results"], writes)])
 

@@ -21,6 +21,15 @@ except ImportError:
 MERGE_TAG = "tag:yaml.org,2002:merge"
 """Tag of the key ``<<``, which may accompany the keys that it merges."""
 
+_DRIVES = ({"constant"}, {"pulse"}, {"half_sine"}, {"harmonic"}, {"table"})
+
+FORMS = {
+    "law": ({"alpha"}, {"elastic", "viscous"}),
+    "force": _DRIVES,
+    "velocity": _DRIVES,
+}
+"""Keys by which forms of a law, or of a drive, are told apart: a mapping has those of one form."""
+
 LONGEST_FILE = 64 * 2**20
 """Bytes of a file."""
 
@@ -100,15 +109,31 @@ def load_configuration(*files: Path | str) -> dict:
 
 
 def merge(below: Mapping, above: Mapping) -> dict:
-    """Lay one mapping over another, key by key at any depth, as Snakemake merges its files.
+    """Lay one mapping over another, key by key at any depth; a list is replaced as a whole.
 
-    Where both hold a mapping under a key, the two are merged; otherwise `above` wins, lists too.
+    A mapping of another `kind`, or form of `FORMS`, replaces the one below, since their keys do not
+    mix.  None takes away a key that is below.
     """
     merged = dict(below)
     for key, value in above.items():
-        both_mappings = isinstance(value, Mapping) and isinstance(below.get(key), Mapping)
-        merged[key] = merge(below[key], value) if both_mappings else value
+        under: Any = below.get(key)
+        both_mappings = isinstance(value, Mapping) and isinstance(under, Mapping)
+        if both_mappings and not _are_alternatives(key, under, value):
+            merged[key] = merge(under, value)
+        elif value is None and key in below:
+            del merged[key]
+        else:
+            merged[key] = value
     return merged
+
+
+def _are_alternatives(key: str, below: Mapping, above: Mapping) -> bool:
+    """Whether two mappings under a key are of different kinds or forms."""
+    kinds = below.get("kind"), above.get("kind")
+    if all(isinstance(kind, str) for kind in kinds):  # A probe may be called kind.
+        return kinds[0] != kinds[1]
+    forms = [[form for form in FORMS.get(key, ()) if form & side.keys()] for side in (below, above)]
+    return all(forms) and forms[0] != forms[1]
 
 
 def _repeated_keys(node: yaml.MappingNode) -> Iterator[yaml.ScalarNode]:
