@@ -8,17 +8,16 @@ import difflib
 import functools
 import json
 import math
-import re
 import sys
 from collections.abc import Iterator, Sequence
 from types import UnionType
 from typing import Any
 
-import yaml
 from jsonschema import Draft202012Validator, validators
 from jsonschema.exceptions import ValidationError
 
 from granular_fronts.scenes.parts import name_entry
+from granular_fronts.scenes.sentences import number_as_text
 from granular_fronts.scenes.study import add_sections, find_file
 from granular_fronts.scenes.yaml_files import read_yaml
 
@@ -204,32 +203,14 @@ def _wrong_type(error: ValidationError, key: str) -> str:
             return f"{key} is {_show(error.instance)}, beyond what an array can hold: give less."
         if not math.isfinite(error.instance):
             return f"{key} is {error.instance}, but must be finite: give {expected}."
-    number = _with_point_and_sign(error.instance) if isinstance(error.instance, str) else None
-    if number is not None and _Validator(error.schema).is_valid(yaml.safe_load(error.instance)):
-        return (
-            f"{key} is {_show(error.instance)}, which is text because of its quotes: write "
-            f"{error.instance} without them."
-        )
-    if number is not None and expected == "a number":
-        return (
-            f"{key} is {_show(error.instance)}, which YAML reads as text because a number with an "
-            f"exponent needs a point and a sign: write {number}."
-        )
-    if expected == "a number" and re.fullmatch(r"[+-]?\d+(,\d+)+", str(error.instance)):
-        return f"{key} is {_show(error.instance)}, but {NO_COMMA}"
+    if kinds[0] in ("number", "integer"):
+        sentence = number_as_text(key, error.instance, kinds == ["integer"])
+        if sentence:
+            return sentence
     meaning = error.schema.get("description", "").rstrip(".")
     return f"{key} is {_show(error.instance)}: give {expected} instead" + (
         f" ({meaning})." if meaning else "."
     )
-
-
-def _with_point_and_sign(text: str) -> str | None:
-    """Write a number such as 1e-13 so that YAML 1.1 takes it for one; None for any other text."""
-    if not re.fullmatch(r"[+-]?\d+(\.\d*)?(e[+-]?\d+)?", text, re.IGNORECASE):
-        return None
-    mantissa, _, exponent = text.lower().partition("e")
-    point = mantissa if "." in mantissa else f"{mantissa}.0"
-    return f"{point}e{int(exponent):+d}" if exponent else point
 
 
 def _join(key: str, name: object) -> str:

@@ -14,7 +14,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.parts import LARGEST_WHOLE, Part, all_problems, join, name_entry
+from granular_fronts.scenes.parts import LARGEST_WHOLE, Part, all_problems, join, name_entry, say
 
 LONGEST_SHOWN = 60
 """Letters of a value that a sentence quotes."""
@@ -242,27 +242,52 @@ def _unknown_kind(place: _Place, limits: Mapping) -> str:
 
 
 def _wrong_type(key: str, value: object, wanted: str, place: _Place) -> str:
-    if isinstance(value, str) and "number" in wanted:
-        if re.fullmatch(r"[+-]?\d+(,\d+)+", value):
-            return f"{key} is {_show(value)}, but {NO_COMMA}"
-        if re.fullmatch(r"[+-]?\d+(\.\d*)?(e[+-]?\d+)?", value, re.IGNORECASE):
-            if not isinstance(yaml.safe_load(value), str):
-                return (
-                    f"{key} is {_show(value)}, which is text because of its quotes: write {value} "
-                    "without them."
-                )
-            return (
-                f"{key} is {_show(value)}, which YAML reads as text because a number with an "
-                f"exponent needs a point and a sign: write {_with_point_and_sign(value)}."
-            )
+    if "number" in wanted and (sentence := number_as_text(key, value, "whole" in wanted)):
+        return sentence
     return f"{key} is {_show(value)}: give {wanted} instead{place.meaning}."
 
 
-def _with_point_and_sign(text: str) -> str:
-    """Write a number such as 1e-13 so that YAML 1.1 takes it for one."""
-    mantissa, _, exponent = text.lower().partition("e")
-    point = mantissa if "." in mantissa else f"{mantissa}.0"
-    return f"{point}e{int(exponent):+d}" if exponent else point
+def number_as_text(key: str, value: object, is_whole: bool) -> str | None:
+    """Say how to write a number that YAML reads as text, or a whole one that it reads as a float.
+
+    None is returned for any other value.
+    """
+    meant = _number_meant(str(value), is_whole) if isinstance(value, str | float) else None
+    if isinstance(value, str) and re.search(r"\d,\d", value):
+        advice = f"a number has no comma but a point: write {meant}." if meant else NO_COMMA
+        return f"{key} is {_show(value)}, but {advice}"
+    if meant is None:
+        return None
+    if isinstance(value, float):
+        why = "which has a point or an exponent, but must be whole"
+    elif not isinstance(yaml.safe_load(value), str):
+        why = "which its quotes make text"
+    elif "e" in str(value).lower():
+        why = "which YAML reads as text because a number with an exponent needs a point and a sign"
+    else:
+        why = "which YAML reads as text"
+    return f"{key} is {_show(value)}, {why}: write {meant}."
+
+
+def _number_meant(text: str, is_whole: bool) -> str | None:
+    """Return a finite number as YAML 1.1 reads it; None for any other text."""
+    text = text.replace("\N{MINUS SIGN}", "-")
+    if not re.search(r",\d{3}\b", text):  # 1,000 may be one or a thousand.
+        text = text.replace(",", ".")
+    numerator, _, denominator = text.partition("/")
+    try:
+        number = float(numerator) / float(denominator or "1")
+    except (ValueError, ArithmeticError):
+        return None
+    if is_whole:
+        is_possible = number.is_integer() and abs(number) <= LARGEST_WHOLE
+        return str(int(number)) if is_possible else None
+    if not math.isfinite(number):
+        return None
+    mantissa, _, exponent = say(number).partition("e")
+    if not exponent:
+        return mantissa
+    return f"{mantissa if '.' in mantissa else f'{mantissa}.0'}e{int(exponent):+d}"
 
 
 def _choice(value: object, names: list[str]) -> str:
