@@ -1,17 +1,20 @@
 """The schemas describe every key, and let no other pass; a user's errors quote them."""
 
+import json
 import re
 from typing import get_args
 
 import pytest
 from configurations import DEFAULT, SCENE
 from jsonschema import Draft202012Validator
+from pydantic import ValidationError
 
 from granular_fronts.scenes.chain import Record
 from granular_fronts.scenes.configuration import whole_schema
 from granular_fronts.scenes.orbit import Orbits
 from granular_fronts.scenes.parts import Part
 from granular_fronts.scenes.schema import load_schema
+from granular_fronts.scenes.validation import SCENES, check_scene
 from granular_fronts.scenes.yaml_files import load_configuration
 
 SCHEMAS = {name: load_schema(name) for name in ("config", "campaign")}
@@ -77,3 +80,15 @@ def test_default_shows_every_optional_key():
     # No figure of the paper shows forces of contacts; campaigns of the project record them.
     shown = scenes["chain"][SCENE]["record"].keys() | {"sensors"}
     assert shown == Record.model_fields.keys()
+
+
+@pytest.mark.parametrize("family", SCENES)
+def test_a_scene_is_what_it_says_of_itself(family):
+    """Its plain form, as a file holds it, makes it again; so do its keys as arguments."""
+    for name, given in load_configuration(DEFAULT)["scenes"][family].items():
+        scene = check_scene(family, given, name)
+        assert check_scene(family, json.loads(json.dumps(scene.plain())), name) == scene
+        assert SCENES[family](**given) == scene
+        changed = next(iter(scene.model_fields_set))
+        with pytest.raises(ValidationError):
+            setattr(scene, changed, None)

@@ -24,6 +24,8 @@ os.environ.update(
     NUMBA_CACHE_DIR=os.path.join(PROJECT, ".numba_cache"),
     # A notebook hands its child processes a backend that the pinned packages lack.
     MPLBACKEND="agg",
+    # Pydantic would look for plugins in every installed package, at each start of a job.
+    PYDANTIC_DISABLE_PLUGINS="__all__",
 )
 
 # Snakemake starts its jobs by this name, without quotation marks.
