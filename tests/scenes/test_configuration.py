@@ -303,6 +303,29 @@ def test_impossible_configuration_outside_scenes_is_refused(configuration, words
     assert words in refusal(configuration)
 
 
+@pytest.mark.parametrize(
+    ("family", "name", "scene", "words"),
+    [
+        ("chain", "initiation_underdampt", {"beads": 9}, "lacks law | initiation_underdamped?"),
+        ("chain", "initiation_underdampt", {"beads": "x"}, "mean initiation_underdamped?"),
+        ("chain", "initiation_underdampt", 3, "initiation_underdampt is 3"),
+        ("chain", "dimer", {"beads": 40}, "law is missing"),
+        ("heteroclinic", "damping_swep", {"mu": [1]}, "lacks profile | mean damping_sweep?"),
+    ],
+)
+def test_scene_with_a_misspelt_name_is_one_sentence(default, family, name, scene, words):
+    default["scenes"][family][name] = scene
+    found = refusal(default).splitlines()
+    assert_refused(found[0], words)
+    assert (len(found) == 1) == (name != "dimer")
+
+
+@pytest.mark.parametrize("key", ["law", "boundary", "start"])
+def test_a_key_without_a_value_is_one_sentence(default, key):
+    for value in (None, ...):
+        assert_refused(refusal(change(default, **{key: value})), f"{key} is")
+
+
 LARGE = {"beads": 100_000, "record__grid__step": 500, f"{STEADY}step": 3.6e-5}
 PISTON_FOR_EVER = {"boundary": PISTON, "end_time": 1e12, "record__grid__step": 1e9}
 

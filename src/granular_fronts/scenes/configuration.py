@@ -5,6 +5,7 @@ results need a folder that can be written, and no key may be ignored.
 """
 
 import copy
+import difflib
 import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -116,12 +117,30 @@ def _scene_errors(configuration: Mapping) -> Iterator[str]:
     """Say what is wrong with scenes whose families the schema knows."""
     families = configuration.get("scenes") if isinstance(configuration, Mapping) else None
     for family in SCENES:
-        scenes = families.get(family) if isinstance(families, Mapping) else None
+        scenes: Any = families.get(family) if isinstance(families, Mapping) else None
         for name, scene in scenes.items() if isinstance(scenes, Mapping) else ():
             try:
                 check_scene(family, scene, name)
             except InputError as error:
-                yield from str(error).splitlines()
+                misspelt = _misspelt_name(family, name, scenes)
+                yield from [misspelt] if misspelt else str(error).splitlines()
+
+
+def _misspelt_name(family: str, name: str, scenes: Mapping) -> str | None:
+    """Say that a scene without most of its keys may belong to another one with such a name."""
+    fields = SCENES[family].model_fields
+    required = [key for key, field in fields.items() if field.is_required()]
+    missing = {
+        str(other): [key for key in required if key not in scene]
+        for other, scene in scenes.items()
+        if isinstance(scene, Mapping)
+    }
+    lacks = missing.pop(str(name), [])
+    whole = [other for other, keys in missing.items() if not keys]
+    near = difflib.get_close_matches(str(name), whole, n=1)
+    if not near or 2 * len(lacks) < len(required):
+        return None
+    return f"Scene {name} lacks {', '.join(lacks)}: did you mean {near[0]}?"
 
 
 def _section_errors(configuration: Mapping) -> Iterator[str]:
