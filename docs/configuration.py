@@ -87,7 +87,7 @@ def _resolved(part: Mapping[str, Any], schema: Mapping[str, Any]) -> dict[str, A
     """A part with what it refers to, and the types of its choices."""
     referred = _pointed_at(part["$ref"], schema) if "$ref" in part else {}
     whole = {**referred, **part}
-    choices = [_resolved(one, schema) for one in whole.get("anyOf", [])]
+    choices = [_resolved(one, schema) for one in whole.get("anyOf", whole.get("oneOf", []))]
     choices = [one for one in choices if one.get("type") != "null"]
     for choice in choices[::-1]:
         whole = {**choice, **whole}

@@ -10,7 +10,7 @@ from configurations import SCENE, assert_refused, change, refusal, set_value
 
 from granular_fronts.errors import InputError
 from granular_fronts.scenes import memory
-from granular_fronts.scenes.configuration import SECTIONS, check_configuration
+from granular_fronts.scenes.configuration import SECTIONS, OnDemand, check_configuration
 from granular_fronts.scenes.validation import SCENES, check_scene
 
 PISTON = {"kind": "piston", "velocity": 0.05, "right": 0}
@@ -281,9 +281,9 @@ def is_checked(path, node, checks):
 
 
 def test_every_section_is_checked(default):
-    every = [*SECTIONS, *(f"scenes.{family}.*" for family in SCENES)]
+    every = [*SECTIONS, *(f"scenes.{family}.*" for family in SCENES), *OnDemand.model_fields]
     assert not unchecked_sections(default, every)
-    for path in ("laws.limiting_cases", "scenes.chain.*", "precision.fronts.*"):
+    for path in ("laws.limiting_cases", "scenes.chain.*", "precision"):
         fewer = [key for key in every if key != path]
         assert unchecked_sections(default, fewer) == [path.partition(".")[0]]
 

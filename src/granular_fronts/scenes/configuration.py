@@ -6,36 +6,47 @@ results need a folder that can be written, and no key may be ignored.
 
 import copy
 import difflib
+import functools
+import operator
 import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+from pydantic import Field
+
 from granular_fronts.errors import InputError
+from granular_fronts.scenes.hard_cases import HardCases
+from granular_fronts.scenes.honesty import Honesty
 from granular_fronts.scenes.law import LAWS
-from granular_fronts.scenes.proof import PROOFS
+from granular_fronts.scenes.parts import Part
+from granular_fronts.scenes.precision import Precision
+from granular_fronts.scenes.proofs import Proofs
 from granular_fronts.scenes.schema import LONGEST_SHOWN, load_schema, violations
-from granular_fronts.scenes.sections import Check, section_errors, section_label
+from granular_fronts.scenes.sections import Check, section_errors
+from granular_fronts.scenes.sentences import read_part
 from granular_fronts.scenes.study import studies
 from granular_fronts.scenes.validation import SCENES, check_scene, raise_if_any
 
-MEASUREMENTS = (
-    "honesty.*",
-    *(f"precision.{family}.*" for family in ("chain", "fronts", "log_burgers")),
-)
-"""Measurements of accuracy and speed, whose counts the schema limits one by one."""
+
+class OnDemand(Part):
+    """Sections of what is made only if its target is named."""
+
+    precision: Precision
+    honesty: Honesty
+    hard_cases: HardCases = Field(description="Problems at the edge of what the solvers can do.")
+    proofs: Proofs
+
 
 SECTIONS: dict[str, tuple[Check, ...]] = {
     **{study["section"]: () for study in studies().values()},
     **{f"laws.{name}": section for name, section in LAWS.items()},
-    **dict.fromkeys(MEASUREMENTS, ()),
-    "proofs": PROOFS,
 }
-"""Checks of all sections by their path in the configuration; ``*`` matches any name."""
+"""Checks of the sections of studies by their path in the configuration."""
 
 
 def whole_schema() -> dict[str, Any]:
-    """Return the JSON schema of a configuration with its scenes, for editors and the manual."""
+    """Return the JSON schema of a configuration with its parts, for editors and the manual."""
     schema = copy.deepcopy(load_schema("config"))
     families = schema["properties"]["scenes"]["properties"]
     for family, part in SCENES.items():
@@ -43,6 +54,10 @@ def whole_schema() -> dict[str, Any]:
         rules["description"] = rules["description"].partition("\n\n")[0]
         schema["$defs"] |= rules.pop("$defs") | {part.__name__: rules}
         families[family]["additionalProperties"] = {"$ref": f"#/$defs/{part.__name__}"}
+    sections = OnDemand.model_json_schema()
+    schema["$defs"] |= sections["$defs"]
+    for name, rules in sections["properties"].items():
+        schema["properties"][name] = rules | schema["properties"][name]
     return schema
 
 
@@ -68,7 +83,7 @@ def validate_configuration(
 def check_configuration(configuration: Mapping) -> None:
     """Validate the contents of a merged configuration; as `validate_configuration` otherwise."""
     raise_if_any(
-        [*violations(configuration), *_scene_errors(configuration)]
+        [*violations(configuration), *_scene_errors(configuration), *_part_errors(configuration)]
         or [*_section_errors(configuration)]
     )
 
@@ -143,24 +158,23 @@ def _misspelt_name(family: str, name: str, scenes: Mapping) -> str | None:
     return f"Scene {name} lacks {', '.join(lacks)}: did you mean {near[0]}?"
 
 
+def _part_errors(configuration: Mapping) -> Iterator[str]:
+    """Say what is wrong with sections that are parts; the schema names those that are missing."""
+    names = OnDemand.model_fields.keys()
+    if isinstance(configuration, Mapping) and names <= configuration.keys():
+        try:
+            read_part(OnDemand, {name: configuration[name] for name in names})
+        except InputError as error:
+            yield from str(error).splitlines()
+
+
 def _section_errors(configuration: Mapping) -> Iterator[str]:
     """Say what is wrong with the sections of a configuration that obeys the schema."""
     for path, checks in SECTIONS.items():
-        for place, given in _places(path, configuration):
-            if isinstance(given, Mapping):
-                label = section_label(place)
-                yield from (label + error for error in section_errors(given, checks))
+        given: object = functools.reduce(operator.getitem, path.split("."), configuration)
+        if isinstance(given, Mapping):
+            yield from (f"{path}.{error}" for error in section_errors(given, checks))
     yield from _name_errors(configuration)
-
-
-def _places(path: str, configuration: Mapping) -> Iterator[tuple[str, object]]:
-    """Path and contents of each section at a path of `SECTIONS`."""
-    *parents, last = path.split(".")
-    node = configuration
-    for parent in parents:
-        node = node[parent]
-    for name, section in node.items() if last == "*" else [(last, node[last])]:
-        yield ".".join([*parents, name]), section
 
 
 def _name_errors(configuration: Mapping) -> Iterator[str]:

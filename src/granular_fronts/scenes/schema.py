@@ -35,7 +35,6 @@ _LIMITS = {
     "maximum": "above its limit {limit}: give {limit} or less",
     "exclusiveMinimum": "but must be above {limit}: give a number above {limit}",
     "exclusiveMaximum": "but must be below {limit}: give a number below {limit}",
-    "multipleOf": "no multiple of {limit}: give a multiple of {limit}",
 }
 """Words for a number beyond a limit."""
 
@@ -118,8 +117,6 @@ def _locate(path: Sequence[str | int]) -> tuple[str, str]:
 def _sentence(error: ValidationError, key: str, definitions: dict) -> str:
     """Say in one sentence what a violation is and how to end it."""
     if "propertyNames" in error.absolute_schema_path:
-        if error.validator == "enum":
-            return f"{_show(error.instance)} in {key} is unknown: {_choice(error)}"
         return (
             f"{_show(error.instance)} in {key} is no usable name: use lower-case letters, digits "
             "and underscores, 100 at most, a letter first."

@@ -1,4 +1,4 @@
-"""A section of the configuration, for example a scene, with all its checks.
+"""A section of the configuration that a study takes, with all its checks.
 
 The schema says which keys a section has.  Checks add what ties two keys together, and whether all
 fits into memory.  A check is a function of a section that obeys the schema.  It yields a sentence
@@ -62,12 +62,6 @@ def steps_fit_ranges(section: Mapping) -> Iterator[str]:
                 f"{key}.step is {own['step']}, longer than the range of {length:g} that it "
                 f"divides ({limits}): give {length:g} or less."
             )
-
-
-def section_label(path: str) -> str:
-    """Return how a sentence on a section begins, for example ``Scene weak: ``."""
-    names = path.split(".")
-    return f"Scene {names[-1]}: " if names[0] == "scenes" else f"{path}."
 
 
 def _mappings(value: object, key: str = "") -> Iterator[tuple[str, Mapping]]:
