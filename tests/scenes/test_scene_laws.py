@@ -207,6 +207,20 @@ def test_impossible_law_of_a_scene_is_refused(base, changes, words):
     assert_refused(str(caught.value), words)
 
 
+def test_beta_is_alpha_by_default_in_every_family(default):
+    """Rings and fronts take no other, since their equations hold for the law of Kuwabara–Kono."""
+    bare, full = {"alpha": 1.5, "gamma": 0.2}, {"alpha": 1.5, "beta": 1.5, "gamma": 0.2}
+    laws = [check_scene("chain", scene(law), "mine").law for law in (bare, full)]
+    assert laws[0] == laws[1] == gf.make_law(bare)
+    with pytest.raises(InputError, match=r"law\.beta is alpha by default, 0\.9, below its limit 1"):
+        check_scene("chain", scene(bare | {"alpha": 0.9}), "mine")
+    for family, name in (("periodic", "hertz"), ("front", "underdamped")):
+        given = default["scenes"][family][name]
+        check_scene(family, given | {"law": full}, "mine")
+        with pytest.raises(InputError, match=r"law\.beta is 1, but .* beta = alpha = 1\.5"):
+            check_scene(family, given | {"law": full | {"beta": 1}}, "mine")
+
+
 @pytest.mark.parametrize(("velocity", "size"), [(1e-3, -3.0), (0.1, -2.0), (10.0, 1.0)])
 def test_sizes_of_a_law_are_the_same_in_both_forms(velocity, size):
     """The compression v^(2/(α + 1)) that a velocity makes; front speed and energies."""

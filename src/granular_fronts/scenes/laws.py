@@ -40,8 +40,10 @@ class LawOfPowers(Part):
     """Law (28): elastic force u^α and viscous force γ d(u^β)/dt."""
 
     alpha: Positive = Field(description="Exponent α of the elastic force, 3/2 for spheres (Hertz).")
-    beta: Annotated[float, Field(ge=1)] = Field(
-        description="Exponent β of the viscous force; β = α is the generalised Kuwabara–Kono law."
+    beta: Annotated[float, Field(ge=1)] | None = Field(
+        None,
+        description="Exponent β of the viscous force; α by default, the generalised Kuwabara–Kono "
+        "law.",
     )
     gamma: NotNegative = Field(description="Strength γ of the viscous force, equation (29).")
 
@@ -92,6 +94,12 @@ def _make(value: Any) -> Law:
     """Make the law of a part."""
     if isinstance(value, Law):
         return value
+    if isinstance(value, LawOfPowers) and value.beta is None and value.alpha < 1.0:
+        sentence = (
+            f"{{key}}.beta is alpha by default, {say(value.alpha)}, below its limit 1: give 1 or "
+            "more."
+        )
+        raise PydanticCustomError("sentence", sentence)
     try:
         return make_law({name: part for name, part in value if part is not None})
     except InputError as error:
@@ -118,7 +126,19 @@ class LawOfOneExponent(Part):
     alpha: Annotated[float, Field(gt=1)] = Field(
         description="Exponent α of the elastic and the viscous force."
     )
+    beta: float | None = Field(
+        None, description="Exponent β of the viscous force; it is α here, and so by default."
+    )
     gamma: Positive = Field(description="Strength γ of the viscous force, equation (29).")
+
+    def problems(self) -> Iterator[str]:
+        """Rings and fronts are compared with equations of section 4, which hold for β = α."""
+        if self.beta not in (None, self.alpha):
+            yield (
+                f"beta is {say(self.beta)}, but the equations that a ring or a front is compared "
+                f"with hold for beta = alpha = {say(self.alpha)} alone: leave it out, or take a "
+                "scene of a chain."
+            )
 
 
 def exponent_of(law: Law) -> float | None:
