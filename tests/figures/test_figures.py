@@ -123,3 +123,8 @@ def test_data_of_something_else_are_named(path, tmp_path):
     with pytest.raises(DatasetError, match=r"other\.nc does not hold .* '\w+'\): let"):
         make_files(other, tmp_path / "fig", "A caption.")
     assert not (tmp_path / "fig.png").exists()
+
+
+def test_a_caption_that_speaks_of_what_a_scene_does_not_have_is_named(path, tmp_path):
+    with pytest.raises(DatasetError, match="no attribute 'gap'"):
+        make_files(path, tmp_path / "fig", "It opens {{ data.boundary.gap.width }}.")

@@ -136,6 +136,7 @@ def test_verdict_on_a_number_and_its_error(statement, value, error, verdict):
     assert verdict_on(statement, Estimate(value, error)) == verdict
 
 
+PISTON = {"kind": "piston", "velocity": 0.05}
 REFERENCE = driven_scene(beads=420, delta=0.1)
 SPEED = {
     "quantity": "front speed",
@@ -176,6 +177,12 @@ def test_other_parameters_are_named_and_not_judged():
     assert row["verdict"] == OTHER_PARAMETERS
     assert row["remark"] == "boundary.left is 0.2 instead of 0.1; gravity is 0.0, by default absent"
     assert row["computed"] == pytest.approx(0.2**0.25)
+
+
+def test_a_motion_of_another_kind_is_not_judged():
+    """A piston holds no δ."""
+    row = row_of(SPEED, boundary=PISTON)
+    assert row["verdict"] == OTHER_PARAMETERS
 
 
 @pytest.mark.parametrize("failure", [KeyError, ValueError, ZeroDivisionError])

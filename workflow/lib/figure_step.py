@@ -95,7 +95,13 @@ def _fill(template: str, computed: Mapping[str, Any]) -> str:
         undefined=jinja2.StrictUndefined, autoescape=False, finalize=_without_markup
     )
     environment.filters["number"] = "{:g}".format
-    return environment.from_string(template).render(computed)
+    try:
+        return environment.from_string(template).render(computed)
+    except jinja2.UndefinedError as error:
+        raise DatasetError(
+            f"The caption speaks of what its scene does not have ({error.message}): draw a scene "
+            "of this kind by a figure of your own."
+        ) from error
 
 
 def _without_markup(value: Any) -> str:

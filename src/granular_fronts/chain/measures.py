@@ -23,8 +23,8 @@ def scene_of(dataset):
 
 
 def _applied_displacement(dataset):
-    """Return δ of eq. (25)."""
-    return scene_of(dataset).boundary.left
+    """Return δ of eq. (25), 0 where nothing is held."""
+    return scene_of(dataset).boundary.left_end
 
 
 def predicted_speed(dataset):
