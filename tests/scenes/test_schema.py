@@ -1,15 +1,18 @@
 """The schemas describe every key, and let no other pass; a user's errors quote them."""
 
 import json
+import pickle
 import re
 from typing import get_args
 
+import numpy as np
 import pytest
+from chains import driven_scene
 from configurations import DEFAULT, SCENE
 from jsonschema import Draft202012Validator
 from pydantic import ValidationError
 
-from granular_fronts.scenes.chain import Record
+from granular_fronts.scenes.chain import Chain, Record
 from granular_fronts.scenes.configuration import whole_schema
 from granular_fronts.scenes.orbit import Orbits
 from granular_fronts.scenes.parts import Part
@@ -70,8 +73,10 @@ def test_every_key_of_a_scene_says_what_it_is():
 def test_the_schema_for_editors_takes_the_default_and_no_unknown_key():
     validator, default = Draft202012Validator(whole_schema()), load_configuration(DEFAULT)
     assert [*validator.iter_errors(default)] == []
-    default["scenes"]["chain"][SCENE]["bedas"] = 3
-    assert len([*validator.iter_errors(default)]) == 1
+    scene = default["scenes"]["chain"][SCENE]
+    scene["bedas"] = 3
+    scene["record"]["probes"]["Near"] = {}
+    assert len([*validator.iter_errors(default)]) == 2
 
 
 def test_default_shows_every_optional_key():
@@ -89,6 +94,13 @@ def test_a_scene_is_what_it_says_of_itself(family):
         scene = check_scene(family, given, name)
         assert check_scene(family, json.loads(json.dumps(scene.plain())), name) == scene
         assert SCENES[family](**given) == scene
+        assert pickle.loads(pickle.dumps(scene)) == scene
         changed = next(iter(scene.model_fields_set))
         with pytest.raises(ValidationError):
             setattr(scene, changed, None)
+
+
+def test_arguments_of_a_scene_may_be_those_of_numpy():
+    given = driven_scene(beads=20, record={"snapshots": [1.0, 2.0]})
+    arguments = given | {"beads": np.int64(20), "record": {"snapshots": np.array([1.0, 2.0])}}
+    assert Chain(**arguments) == Chain(**given)

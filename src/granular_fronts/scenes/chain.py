@@ -278,12 +278,15 @@ class Record(Part):
         description="Times t at which the whole chain is kept, up to end_time; may be empty."
     )
     probes: dict[Name, Probe] = Field(
-        {}, description="Time series of a few beads, each under a name of its own."
+        {},
+        description="Time series of a few beads, each under a name of its own.",
+        json_schema_extra={"additionalProperties": False},
     )
     sensors: dict[Name, Sensor] = Field(
         {},
         description="Time series of forces as an experiment records them, with momentum and energy "
         "that pass, each under a name of its own.",
+        json_schema_extra={"additionalProperties": False},
     )
     grid: Grid | None = None
     arrival_level: float | None = Field(

@@ -132,14 +132,14 @@ class Orbits(Scene):
         last = GAUSSIAN_CENTRE + GAUSSIAN_HALF_WIDTH + LATER_UNDERFLOW * mu
         first = GAUSSIAN_CENTRE - GAUSSIAN_HALF_WIDTH if mu == 0 else -math.inf
         start, stop = self.profile.start, self.profile.stop
-        for key, value, is_beyond, limit in (
-            ("stop", stop, stop > last, last),
-            ("start", start, start < first, first),
+        for key, value, is_beyond, limit, side in (
+            ("stop", stop, stop > last, last, "before"),
+            ("start", start, start < first, first, "after"),
         ):
             if is_beyond:
                 yield (
                     f"profile.{key} is {say(value)}, but for mu = {say(mu)} y falls below the "
-                    f"smallest double at s = {limit:.2f}: end the profile before."
+                    f"smallest double at s = {limit:.2f}: choose one {side} it."
                 )
 
 

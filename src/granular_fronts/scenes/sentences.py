@@ -75,8 +75,7 @@ class Scene(Part):
     """A part that stands for itself, so that making one says what is wrong in our sentences."""
 
     def __init__(self, /, **given: Any) -> None:
-        read_part(type(self), given)
-        super().__init__(**given)
+        self.__setstate__(read_part(type(self), given).__getstate__())
 
     # Pydantic itself makes scenes without it: `read_part` has sentences of its own.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
