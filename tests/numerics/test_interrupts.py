@@ -39,7 +39,10 @@ import numpy as np
 import granular_fronts as gf
 from chains import driven_scene
 from granular_fronts.continuum.log_burgers.solution import solve
-from granular_fronts.continuum.compilation import RING
+from granular_fronts.continuum import compilation
+from granular_fronts.scenes.ring import read_ring
+
+RING = read_ring(compilation.RING)
 
 # All beads move from the start, and balances are kept.
 PRESSED = {{
