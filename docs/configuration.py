@@ -73,14 +73,9 @@ def keys(
         yield from keys(value, schema, seen, longer)
     if "items" in part:
         yield from keys(part["items"], schema, seen, f"{path}.…")
-    for choice in ("oneOf", "anyOf", "allOf"):
+    for choice in ("oneOf", "anyOf"):
         for one in part.get(choice, []):
             yield from keys(one, schema, seen, path, kind)
-    # What is below `if` only distinguishes the cases.
-    case = part.get("if", {}).get("properties", {}).get("kind", {}).get("const", kind)
-    for branch in ("then", "else"):
-        if branch in part:
-            yield from keys(part[branch], schema, seen, path, case)
 
 
 def _resolved(part: Mapping[str, Any], schema: Mapping[str, Any]) -> dict[str, Any]:

@@ -548,10 +548,11 @@ class Chain(Scene):
             )
         if isinstance(boundary, WallBehind) and not wall:
             yield "boundary.material is missing: name the material of the wall, as in steel."
-        if (alpha := exponent_of(self.law) or 0.0) != 1.5:
+        if (alpha := exponent_of(self.law)) != 1.5:
+            found = "law has another potential" if alpha is None else f"law.alpha is {say(alpha)}"
             yield (
-                f"beads names materials, which touch by Hertz's law, but law.alpha is {say(alpha)}:"
-                " give alpha 1.5, or masses."
+                f"beads names materials, which touch by Hertz's law, but {found}: give alpha 1.5, "
+                "or masses."
             )
 
     def _ends_bear_the_start(self) -> Iterator[str]:

@@ -22,9 +22,9 @@ from granular_fronts.scenes.law import LAWS
 from granular_fronts.scenes.parts import Part
 from granular_fronts.scenes.precision import Precision
 from granular_fronts.scenes.proofs import Proofs
-from granular_fronts.scenes.schema import LONGEST_SHOWN, load_schema, violations
+from granular_fronts.scenes.schema import load_schema, violations
 from granular_fronts.scenes.sections import Check, section_errors
-from granular_fronts.scenes.sentences import read_part
+from granular_fronts.scenes.sentences import LONGEST_SHOWN, read_part
 from granular_fronts.scenes.study import studies
 from granular_fronts.scenes.validation import SCENES, check_scene, raise_if_any
 

@@ -1,4 +1,4 @@
-"""What a user may ask for, in typed and immutable parts, and the types of their keys.
+"""What a user may ask for, in typed and frozen parts, and the types of their keys.
 
 A part lists its keys, each with type, range, default and meaning.  What ties keys together is its
 method `problems`, a generator of sentences that begin with a key.
@@ -15,7 +15,7 @@ LARGEST_WHOLE = 2**63 - 1
 
 
 class Part(BaseModel):
-    """A mapping of known keys, which nobody changes once it is read."""
+    """A mapping of known keys, none of which is set again."""
 
     model_config = ConfigDict(
         extra="forbid",

@@ -16,8 +16,13 @@ from typing import Any
 from jsonschema import Draft202012Validator, validators
 from jsonschema.exceptions import ValidationError
 
-from granular_fronts.scenes.parts import name_entry
-from granular_fronts.scenes.sentences import number_as_text
+from granular_fronts.scenes.parts import LARGEST_WHOLE, name_entry
+from granular_fronts.scenes.sentences import (
+    LONGEST_SHOWN,
+    MOST_CHOICES,
+    NO_COMMA,
+    number_as_text,
+)
 from granular_fronts.scenes.study import add_sections, find_file
 from granular_fronts.scenes.yaml_files import read_yaml
 
@@ -37,18 +42,6 @@ _LIMITS = {
     "exclusiveMaximum": "but must be below {limit}: give a number below {limit}",
 }
 """Words for a number beyond a limit."""
-
-LARGEST_WHOLE = 2**63 - 1
-"""Largest whole number that an array can hold."""
-
-LONGEST_SHOWN = 60
-"""Letters of a value that a sentence quotes."""
-
-MOST_CHOICES = 12
-"""Names that a sentence lists even if one of them is close to an unknown one."""
-
-NO_COMMA = "a number has no comma: write a point before its decimals."
-"""About a decimal comma; in braces it ends one key and begins another, without a value."""
 
 ABOUT_KEYS = "required", "additionalProperties"
 """Kinds of violations that concern a key inside the value, and not the value as a whole."""

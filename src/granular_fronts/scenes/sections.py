@@ -6,7 +6,6 @@ for each violation.  The sentence begins with the key inside the section, and na
 limit and what to do.
 """
 
-import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
@@ -21,7 +20,7 @@ def section_errors(given: Mapping, checks: tuple[Check, ...]) -> list[str]:
     The checks of the section come after those of all sections.
     """
     return [*memory_problems(_held(given))] or [
-        error for check in (ranges_increase, steps_fit_ranges, *checks) for error in check(given)
+        error for check in (ranges_increase, *checks) for error in check(given)
     ]
 
 
@@ -39,28 +38,10 @@ def ranges_increase(section: Mapping) -> Iterator[str]:
     for key, mapping in _mappings(section):
         start: Any = mapping.get("start")
         stop: Any = mapping.get("stop")
-        # A probe may be called start or stop.
-        if None not in (start, stop) and not isinstance(start, Mapping) and start >= stop:
+        if None not in (start, stop) and start >= stop:
             yield (
                 f"{key}.start is {start}, but must come before its stop {stop}: lower start or "
                 "raise stop."
-            )
-
-
-def steps_fit_ranges(section: Mapping) -> Iterator[str]:
-    """No step is longer than the range that it divides."""
-    for key, mapping in _mappings(section):
-        # A probe may be called start or step.
-        own = {name: value for name, value in mapping.items() if not isinstance(value, Mapping)}
-        if {"start", "stop", "step"} <= own.keys():
-            length, limits = own["stop"] - own["start"], "from start to stop"
-        else:
-            limits = "span" if "span" in own else "limit"
-            length = own.get(limits, math.inf)
-        if 0 < length < own.get("step", 0.0):
-            yield (
-                f"{key}.step is {own['step']}, longer than the range of {length:g} that it "
-                f"divides ({limits}): give {length:g} or less."
             )
 
 
