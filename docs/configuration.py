@@ -6,12 +6,11 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import numpy as np
 import yaml
 
 from granular_fronts.campaign.kinds import KINDS, Parameter
 from granular_fronts.model import kinds, laws
-from granular_fronts.scenes.configuration import whole_schema
+from granular_fronts.scenes.configuration import Configuration
 from granular_fronts.scenes.parts import LARGEST_WHOLE
 from granular_fronts.scenes.schema import load_schema
 
@@ -132,7 +131,7 @@ TYPES = {
     "string": "text",
 }
 LIMITS = {"exclusiveMinimum": ">", "minimum": "≥", "exclusiveMaximum": "<", "maximum": "≤"}
-UNITS = {"in milliseconds (SI)": "ms", "in seconds (SI)": "s", "dimensionless": "1"}
+UNITS = {"seconds": "s", "milliseconds": "ms", "metres": "m", "kilograms": "kg", "newtons": "N"}
 REPEATED = re.compile(
     r" Optional\.$| (?:Range|Whole number,?)(?: above| \S+ [>≥]| \d+)? ?\d*(?: or more)?\."
 )
@@ -185,19 +184,19 @@ def table(found: list[Key], defaults: Any = None, within: str = "") -> list[str]
     """Keys as rows of a Markdown table, their paths without the beginning that all share."""
     rows = [f"| {' | '.join(COLUMNS)} |", "|" + "---|" * len(COLUMNS)]
     for key in found:
-        units = (unit for words, unit in UNITS.items() if words in key.description)
-        is_number = {"number", "integer"} & set(np.atleast_1d(key.part.get("type", "")))
+        kind, named = type_of(key.part), re.search(r"in (\S+) \(SI\)", key.description)
+        unit = UNITS.get(named[1], named[1]) if named else "1" if "number" in kind else ""
         meaning = REPEATED.sub("", re.sub(r"[,;]? dimensionless(?=[.;])", "", key.description))
         meaning = f"For kind `{key.kind}`: {meaning}" if key.kind else meaning
-        cells = [f"`{key.path.removeprefix(within)}`", type_of(key.part), default_of(key, defaults)]
-        cells += [next(units, "1" if is_number else ""), meaning.replace("|", r"\|")]
+        cells = [f"`{key.path.removeprefix(within)}`", kind, default_of(key, defaults)]
+        cells += [unit, meaning.replace("|", r"\|")]
         rows.append(f"| {' | '.join(cells)} |")
     return ["```{container} keys", *rows, "```"]
 
 
 def configuration_page() -> str:
     """Every key of the configuration, with an example of each family."""
-    schema = whole_schema()
+    schema = Configuration.model_json_schema()
     text = (CONFIG / "default.yaml").read_text(encoding="utf-8")
     defaults = yaml.safe_load(text)
     lines = ["# Configuration", "", schema["description"], ""]

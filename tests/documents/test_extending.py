@@ -15,7 +15,7 @@ pytestmark = pytest.mark.slow
 
 SUBJECTS = (
     "A figure, in three",
-    "A study, in three",
+    "A study, in four",
     "A table, in two",
     "A scene's option, in two",
 )
@@ -31,7 +31,7 @@ def command(word):
 def project(tmp_path_factory):
     """A copy of the project with a further figure, study and option."""
     copy = lend_kernels(copy_project(tmp_path_factory.mktemp("project")))
-    numbers = {"two": 2, "three": 3}
+    numbers = {"two": 2, "three": 3, "four": 4}
     for subject in SUBJECTS:
         places = [name for name in carry_out(copy, subject) if "/" in name]
         assert len(places) == numbers[subject.split()[-1]]
@@ -49,7 +49,7 @@ def test_a_figure_is_added_in_three_places(project):
     assert "α = 1.5, 1.1" in caption
 
 
-def test_a_study_is_added_in_three_places_and_its_table_in_two(project):
+def test_a_study_is_added_in_four_places_and_its_table_in_two(project):
     found = read_dataset(project / command("front_width.nc")[-1])["front_width"]
     for gamma, width in zip((0.3, 1.0), found.values, strict=True):
         assert width == pytest.approx(gf.solve_front(1.5, gamma).attrs["width_10_90"], rel=1e-12)

@@ -13,9 +13,9 @@ from projects import ROOT
 
 import granular_fronts as gf
 from granular_fronts.campaign.kinds import KINDS
-from granular_fronts.scenes.configuration import whole_schema
+from granular_fronts.scenes.configuration import Configuration
 
-SCHEMA = whole_schema()
+SCHEMA = Configuration.model_json_schema()
 PAGES, KEYS, LINKS, MEASURED = map(load_script, ("generate", "configuration", "links", "measured"))
 TEXTS = {path.relative_to(ROOT): path.read_text(encoding="utf-8") for path in MEASURED.pages()}
 

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from granular_fronts.chain.equations import Boundary
-from granular_fronts.errors import InputError
 from granular_fronts.fronts.solitary_waves import gaussian, solitary_wave
 from granular_fronts.model.collision import restitution
 from granular_fronts.model.laws import make_law
@@ -22,7 +21,6 @@ from granular_fronts.studies.choice_of_variables import (
 from granular_fronts.studies.front_trends import critical_gamma, solitary_shape, tail_frequency
 from granular_fronts.studies.limiting_cases import (
     collide,
-    measure_limiting_cases,
     oscillation_behind,
     press_chain,
     ring_distance,
@@ -55,11 +53,6 @@ def test_rings_approach_their_equation_as_the_exponent_tends_to_one():
     rings = {"gamma": 0.5, "half_length": 16.0, "half_width": 6.0, "slow_time": 1.0}
     (far, error), (near, _) = (ring_distance(alpha, rings) for alpha in (1.5, 1.2))
     assert error < 1e-4 < near < 0.8 * far
-
-
-def test_chains_too_short_for_their_waves_are_an_error():
-    with pytest.raises(InputError, match="beads is 100, but waves run through about 230 beads"):
-        measure_limiting_cases(weak_gamma=0.1, strong_gamma=1.0, beads=100, end_time=200.0)
 
 
 @pytest.mark.parametrize("alpha", [1.5, 2.0])

@@ -13,7 +13,7 @@ import json
 import sys
 
 from granular_fronts.errors import InputError, end_with_reader
-from granular_fronts.scenes.configuration import validate_configuration, whole_schema
+from granular_fronts.scenes.configuration import Configuration, validate_configuration
 from granular_fronts.scenes.yaml_files import load_configuration
 
 if __name__ == "__main__":
@@ -27,7 +27,7 @@ if __name__ == "__main__":
     parser.add_argument("--schema", action="store_true", help="print the JSON schema")
     asked = parser.parse_args()
     if asked.schema:
-        print(json.dumps(whole_schema(), ensure_ascii=False, indent=1))
+        print(json.dumps(Configuration.model_json_schema(), ensure_ascii=False, indent=1))
         sys.exit()
     files = asked.files or parser.error("name one FILE or more")
     try:

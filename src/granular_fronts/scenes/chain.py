@@ -21,6 +21,7 @@ from granular_fronts.scenes.laws import (
 from granular_fronts.scenes.memory import COLUMNS_PER_ROW, NUMBERS_PER_BEAD, Held, memory_problems
 from granular_fronts.scenes.parts import (
     Distinct,
+    Listed,
     Name,
     NotNegative,
     Part,
@@ -240,20 +241,18 @@ class Tolerance(Part):
 class Probe(Times):
     """One time series of the relative displacement and the velocity of a few beads."""
 
-    beads: Annotated[Distinct[Place], Field(min_length=1)] = Field(
-        description="Numbers n of the beads, 1 to N."
-    )
+    beads: Listed[Place] = Field(description="Numbers n of the beads, 1 to N.")
 
 
 class Sensor(Times):
     """One time series of the forces at a few contacts, inside a few beads, or both."""
 
-    contacts: Annotated[Distinct[Place], Field(min_length=1)] | None = Field(
+    contacts: Listed[Place] | None = Field(
         None,
         description="Numbers n of the contacts between the beads n and n + 1: 1 to N − 1, or to N "
         "on a ring and before a wall.",
     )
-    beads: Annotated[Distinct[Place], Field(min_length=1)] | None = Field(
+    beads: Listed[Place] | None = Field(
         None,
         description="Numbers n of the beads inside which the mean force of both sides is taken.",
     )

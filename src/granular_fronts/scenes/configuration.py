@@ -1,14 +1,8 @@
-"""Validate a whole configuration, as the workflow does at each start.
+"""Validate a whole configuration, as the workflow does at each start."""
 
-First its scenes and sections are checked one by one.  Then no two results may have one name.  The
-results need a folder that can be written, and no key may be ignored.
-"""
-
-import copy
 import difflib
-import functools
-import operator
 import os
+import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -16,53 +10,94 @@ from typing import Any
 from pydantic import Field
 
 from granular_fronts.errors import InputError
+from granular_fronts.scenes.chain import Chain
+from granular_fronts.scenes.front import Front
 from granular_fronts.scenes.hard_cases import HardCases
 from granular_fronts.scenes.honesty import Honesty
-from granular_fronts.scenes.law import LAWS
-from granular_fronts.scenes.parts import Part
+from granular_fronts.scenes.orbit import Orbits
+from granular_fronts.scenes.parts import Listed, Named, Part, Positive
 from granular_fronts.scenes.precision import Precision
 from granular_fronts.scenes.proofs import Proofs
-from granular_fronts.scenes.schema import load_schema, violations
-from granular_fronts.scenes.sections import Check, section_errors
+from granular_fronts.scenes.ring import Ring
 from granular_fronts.scenes.sentences import LONGEST_SHOWN, read_part
-from granular_fronts.scenes.study import studies
-from granular_fronts.scenes.validation import SCENES, check_scene, raise_if_any
+from granular_fronts.scenes.studies import ExactFronts, Exponent, Laws
+from granular_fronts.scenes.validation import SCENES, raise_if_any
 
 
-class OnDemand(Part):
-    """Sections of what is made only if its target is named."""
+class Scenes(Part):
+    """What is simulated; one mapping for each family of problems."""
 
+    chain: Named[Chain] = Field(
+        description="Motions of a finite chain of beads, section 3.3; the key of a scene names its "
+        "data file."
+    )
+    heteroclinic: Named[Orbits] = Field(
+        description="Stationary fronts of the logarithmic KdV–Burgers equation, section 5.2; the "
+        "key of a scene names its data file."
+    )
+    periodic: Named[Ring] = Field(
+        description="Localised waves on a ring of beads, compared with the amplitude equations of "
+        "section 4; the key of a scene names its data file."
+    )
+    front: Named[Front] = Field(
+        description="Exact travelling fronts of the lattice and what approximates them, section 6; "
+        "the key of a scene names its data file."
+    )
+
+
+class Configuration(Part):
+    """What the workflow computes; mass and stiffness are 1 (section 3.1) unless a unit is named."""
+
+    results: str = Field(
+        min_length=1,
+        description="Folder that receives every file the workflow makes, relative to the project.",
+    )
+    campaign: str | None = Field(
+        None,
+        min_length=1,
+        description="Name of a file in config/campaigns, for the target campaign.",
+    )
+    chunk_seconds: Positive = Field(
+        description="Processor time in seconds (SI) that one job of a campaign should take, long "
+        "against the start of a job."
+    )
+    front_exponents: Listed[Exponent] = Field(
+        max_length=2, description="Exponents α whose fluxes and fronts (46) are drawn in figure 4."
+    )
+    scenes: Scenes
+    exact_fronts: ExactFronts
+    laws: Laws
     precision: Precision
     honesty: Honesty
     hard_cases: HardCases = Field(description="Problems at the edge of what the solvers can do.")
     proofs: Proofs
 
-
-SECTIONS: dict[str, tuple[Check, ...]] = {
-    **{study["section"]: () for study in studies().values()},
-    **{f"laws.{name}": section for name, section in LAWS.items()},
-}
-"""Checks of the sections of studies by their path in the configuration."""
-
-
-def whole_schema() -> dict[str, Any]:
-    """Return the JSON schema of a configuration with its parts, for editors and the manual."""
-    schema = copy.deepcopy(load_schema("config"))
-    families = schema["properties"]["scenes"]["properties"]
-    for family, part in SCENES.items():
-        rules = part.model_json_schema()
-        rules["description"] = rules["description"].partition("\n\n")[0]
-        schema["$defs"] |= rules.pop("$defs") | {part.__name__: rules}
-        families[family]["additionalProperties"] = {"$ref": f"#/$defs/{part.__name__}"}
-    sections = OnDemand.model_json_schema()
-    schema["$defs"] |= sections["$defs"]
-    for name, rules in sections["properties"].items():
-        schema["properties"][name] = rules | schema["properties"][name]
-    return schema
+    def problems(self) -> Iterator[str]:
+        """No two results have one name, and precision is measured for rings that there are."""
+        studies = "log_burgers_fronts", *ExactFronts.model_fields, *Laws.model_fields
+        owners = {name: f"the study {name}" for name in studies}
+        for family, scenes in self.scenes:
+            for name in scenes:
+                if name in owners:
+                    yield (
+                        f"scenes.{family}.{name} has the name of {owners[name]}, but a name "
+                        "belongs to one result only: rename a scene."
+                    )
+                owners.setdefault(name, f"scenes.{family}.{name}")
+        rings = self.scenes.periodic
+        for name in self.precision.log_burgers:
+            if name not in rings:
+                yield (
+                    f"precision.log_burgers.{name} names no periodic scene: choose one of "
+                    f"{', '.join(rings)}."
+                )
 
 
 UNUSABLE = *"{}<>*?|\"'\n\t\\$", "://"
 """Parts of a folder's name that Snakemake, a shell or a reader takes for something else."""
+
+IN_SCENE = re.compile(r"^scenes\.\w+\.(\w+)\.", re.MULTILINE)
+"""Beginning of a sentence on something inside a scene."""
 
 
 def validate_configuration(
@@ -80,12 +115,13 @@ def validate_configuration(
     raise_if_any([*folder_errors(configuration["results"], writes)])
 
 
-def check_configuration(configuration: Mapping) -> None:
+def check_configuration(configuration: object) -> None:
     """Validate the contents of a merged configuration; as `validate_configuration` otherwise."""
-    raise_if_any(
-        [*violations(configuration), *_scene_errors(configuration), *_part_errors(configuration)]
-        or [*_section_errors(configuration)]
-    )
+    raise_if_any([*_misspelt_scenes(configuration)])
+    try:
+        read_part(Configuration, configuration)
+    except InputError as error:
+        raise InputError(IN_SCENE.sub(r"Scene \1: ", str(error))) from None
 
 
 def _argument_errors(arguments: Mapping) -> Iterator[str]:
@@ -128,70 +164,21 @@ def folder_errors(results: str, writes: bool = True) -> Iterator[str]:
             )
 
 
-def _scene_errors(configuration: Mapping) -> Iterator[str]:
-    """Say what is wrong with scenes whose families the schema knows."""
-    families = configuration.get("scenes") if isinstance(configuration, Mapping) else None
-    for family in SCENES:
-        scenes: Any = families.get(family) if isinstance(families, Mapping) else None
-        for name, scene in scenes.items() if isinstance(scenes, Mapping) else ():
-            try:
-                check_scene(family, scene, name)
-            except InputError as error:
-                misspelt = _misspelt_name(family, name, scenes)
-                yield from [misspelt] if misspelt else str(error).splitlines()
-
-
-def _misspelt_name(family: str, name: str, scenes: Mapping) -> str | None:
+def _misspelt_scenes(configuration: Any) -> Iterator[str]:
     """Say that a scene without most of its keys may belong to another one with such a name."""
-    fields = SCENES[family].model_fields
-    required = [key for key, field in fields.items() if field.is_required()]
-    missing = {
-        str(other): [key for key in required if key not in scene]
-        for other, scene in scenes.items()
-        if isinstance(scene, Mapping)
-    }
-    lacks = missing.pop(str(name), [])
-    whole = [other for other, keys in missing.items() if not keys]
-    near = difflib.get_close_matches(str(name), whole, n=1)
-    if not near or 2 * len(lacks) < len(required):
-        return None
-    return f"Scene {name} lacks {', '.join(lacks)}: did you mean {near[0]}?"
-
-
-def _part_errors(configuration: Mapping) -> Iterator[str]:
-    """Say what is wrong with sections that are parts; the schema names those that are missing."""
-    names = OnDemand.model_fields.keys()
-    if isinstance(configuration, Mapping) and names <= configuration.keys():
+    for family, kind in SCENES.items():
         try:
-            read_part(OnDemand, {name: configuration[name] for name in names})
-        except InputError as error:
-            yield from str(error).splitlines()
-
-
-def _section_errors(configuration: Mapping) -> Iterator[str]:
-    """Say what is wrong with the sections of a configuration that obeys the schema."""
-    for path, checks in SECTIONS.items():
-        given: object = functools.reduce(operator.getitem, path.split("."), configuration)
-        if isinstance(given, Mapping):
-            yield from (f"{path}.{error}" for error in section_errors(given, checks))
-    yield from _name_errors(configuration)
-
-
-def _name_errors(configuration: Mapping) -> Iterator[str]:
-    """Find scenes that share a name with another or with a dataset, and entries of no scene."""
-    owners = {name: f"the study {name}" for name in studies()}
-    for family, scenes in configuration["scenes"].items():
-        for name in scenes:
-            if name in owners:
-                yield (
-                    f"scenes.{family}.{name} has the name of {owners[name]}, but a name belongs to "
-                    "one result only: rename a scene."
-                )
-            owners.setdefault(name, f"scenes.{family}.{name}")
-    rings = configuration["scenes"]["periodic"]
-    for name in configuration["precision"]["log_burgers"]:
-        if name not in rings:
-            yield (
-                f"precision.log_burgers.{name} names no periodic scene: choose one of "
-                f"{', '.join(rings)}."
-            )
+            scenes = configuration["scenes"][family].items()
+        except (TypeError, KeyError, AttributeError):
+            continue  # There are no scenes, which the reading says.
+        required = [key for key, field in kind.model_fields.items() if field.is_required()]
+        lacking = {
+            str(name): [key for key in required if key not in scene]
+            for name, scene in scenes
+            if isinstance(scene, Mapping)
+        }
+        whole = [name for name, lacks in lacking.items() if not lacks]
+        for name, lacks in lacking.items():
+            near = difflib.get_close_matches(name, whole, n=1)
+            if near and 2 * len(lacks) >= len(required):
+                yield f"Scene {name} lacks {', '.join(lacks)}: did you mean {near[0]}?"

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-from pydantic import AfterValidator, Discriminator, Field, PlainSerializer, Tag
+from pydantic import AfterValidator, ConfigDict, Discriminator, Field, PlainSerializer, Tag
 from pydantic.json_schema import SkipJsonSchema
 from pydantic_core import PydanticCustomError
 
@@ -48,21 +48,23 @@ class LawOfPowers(Part):
     gamma: NotNegative = Field(description="Strength γ of the viscous force, equation (29).")
 
 
-def _kind_of_potential(value: Any) -> Any:
-    """Say that a mapping for a potential lacks its kind; `make_law` knows kinds and parameters."""
-    if isinstance(value, Mapping) and "kind" not in value:
-        raise PydanticCustomError("sentence", "{key}.kind is missing: add it (name of a kind).")
-    return value
+class NamedPotential(Part):
+    """A kind and its parameters, which `make_law` knows."""
+
+    model_config = ConfigDict(extra="allow")
+    __pydantic_extra__: dict[
+        str, Annotated[float, Field(allow_inf_nan=False, description="A parameter of the kind.")]
+    ]
+
+    kind: str = Field(
+        description="Name of a kind; granular_fronts.model.kinds lists them, with formulas and "
+        "parameters."
+    )
 
 
-Number = Annotated[float, Field(allow_inf_nan=False)]
-NamedPotential = dict[
-    str, Annotated[str | Number, Field(description="The kind, or a parameter of it.")]
-]
 AnyPotential = Annotated[
     Annotated[SkipJsonSchema[Potential], Tag("<made>")] | Annotated[NamedPotential, Tag("<named>")],
     Discriminator(lambda value: "<made>" if isinstance(value, Potential) else "<named>"),
-    AfterValidator(_kind_of_potential),
 ]
 
 
@@ -77,6 +79,13 @@ class LawOfPotentials(Part):
         None,
         description="Potential W of the viscous force, a kind and its parameters; kind none by "
         "default.",
+    )
+
+
+def law_of_parts(**parts: Any) -> Law:
+    """Make the law of what a part holds; an InputError says why there is none."""
+    return make_law(
+        {name: part.plain() if isinstance(part, Part) else part for name, part in parts.items()}
     )
 
 
@@ -101,7 +110,7 @@ def _make(value: Any) -> Law:
         )
         raise PydanticCustomError("sentence", sentence)
     try:
-        return make_law({name: part for name, part in value if part is not None})
+        return law_of_parts(**{name: part for name, part in value if part is not None})
     except InputError as error:
         raise PydanticCustomError("sentence", f"{{key}}: {error}") from None
 

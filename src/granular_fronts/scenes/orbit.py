@@ -2,19 +2,19 @@
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any
+from typing import Any
 
 from pydantic import Field
 
 from granular_fronts.model.amplitude_scaling import SMALLEST_DAMPING
 from granular_fronts.scenes.memory import COLUMNS_PER_ROW, Held, memory_problems
 from granular_fronts.scenes.parts import (
-    Distinct,
+    Listed,
     NotNegative,
+    Pair,
     Part,
     Positive,
     Range,
-    Several,
     name_entry,
     say,
     step_problems,
@@ -60,9 +60,7 @@ class Portrait(Part):
     """Trajectories of the planar system (57)."""
 
     mu: NotNegative = Field(description="Damping μ of all trajectories.")
-    starts: Annotated[
-        Distinct[Annotated[Several[float], Field(min_length=2, max_length=2)]], Field(min_length=1)
-    ] = Field(
+    starts: Listed[Pair[float]] = Field(
         description="Points (y, z) through which a trajectory is followed, forwards and backwards "
         "in s; no equilibrium."
     )
@@ -84,9 +82,7 @@ class Portrait(Part):
 class Orbits(Scene):
     """Fronts y_h(s) of equation (56) for a list of dampings, and what else figure 8 shows."""
 
-    mu: Annotated[Distinct[NotNegative], Field(min_length=1)] = Field(
-        description="Dampings μ of equation (54), each at most once."
-    )
+    mu: Listed[NotNegative] = Field(description="Dampings μ of equation (54), each at most once.")
     profile: Profile
     well: Well | None = None
     portrait: Portrait | None = None

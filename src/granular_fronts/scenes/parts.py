@@ -4,14 +4,19 @@ A part lists its keys, each with type, range, default and meaning.  What ties ke
 method `problems`, a generator of sentences that begin with a key.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sized
 from typing import Annotated, Any, TypeVar
 
-from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, Strict
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 from pydantic_core import PydanticCustomError
 
 LARGEST_WHOLE = 2**63 - 1
 """Largest whole number that an array can hold."""
+
+
+def _first_paragraph(schema: dict[str, Any]) -> None:
+    """Leave out of a schema's description what is about Python."""
+    schema["description"] = schema["description"].partition("\n\n")[0]
 
 
 class Part(BaseModel):
@@ -23,6 +28,7 @@ class Part(BaseModel):
         strict=True,
         allow_inf_nan=False,
         arbitrary_types_allowed=True,
+        json_schema_extra=_first_paragraph,
     )
 
     def problems(self) -> Iterator[str]:
@@ -65,9 +71,27 @@ def name_entry(key: str, index: int) -> str:
     return f"{key} (entry {index + 1})"
 
 
+def count(entries: Sized) -> str:
+    """Return how many entries there are, in words."""
+    return "1 entry" if len(entries) == 1 else f"{len(entries)} entries"
+
+
 def say(number: float) -> str:
     """Return a number as people write it, a whole one without its point."""
     return repr(number).removesuffix(".0")
+
+
+def _listed(values: Any) -> Any:
+    """Take a list, as files have them, but no set and no generator."""
+    return tuple(values) if isinstance(values, list) else values
+
+
+def _paired(values: Any) -> Any:
+    """Take a list of two."""
+    values = _listed(values)
+    if isinstance(values, tuple) and len(values) != 2:
+        raise PydanticCustomError("sentence", f"{{key}} has {count(values)}: list 2.")
+    return values
 
 
 def _distinct(values: tuple) -> tuple:
@@ -93,21 +117,39 @@ def one_or_more(one: Any) -> BeforeValidator:
 
 
 Value = TypeVar("Value")
-Several = Annotated[tuple[Value, ...], Strict(False)]
-Distinct = Annotated[tuple[Value, ...], Strict(False), AfterValidator(_distinct)]
+Several = Annotated[tuple[Value, ...], BeforeValidator(_listed)]
+Distinct = Annotated[tuple[Value, ...], BeforeValidator(_listed), AfterValidator(_distinct)]
+Listed = Annotated[Distinct[Value], Field(min_length=1)]
+Pair = Annotated[tuple[Value, Value], BeforeValidator(_paired)]
 
 Positive = Annotated[float, Field(gt=0)]
 NotNegative = Annotated[float, Field(ge=0)]
 Whole = Annotated[int, Field(ge=-LARGEST_WHOLE, le=LARGEST_WHOLE)]
 Place = Annotated[Whole, Field(ge=1)]
 Name = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,99}$")]
+Named = Annotated[
+    dict[Name, Value], Field(min_length=1, json_schema_extra={"additionalProperties": False})
+]
 
 
-class Range(Part):
-    """Points from a start to a stop, in equal steps."""
+class Interval(Part):
+    """What lies between a start and a stop."""
 
     start: float = Field(description="First point.")
     stop: float = Field(description="Last point, after the first.")
+
+    def problems(self) -> Iterator[str]:
+        """The start comes before the stop."""
+        if self.start >= self.stop:
+            yield (
+                f"start is {say(self.start)}, but must come before its stop {say(self.stop)}: "
+                "lower start or raise stop."
+            )
+
+
+class Range(Interval):
+    """Points from a start to a stop, in equal steps."""
+
     step: Positive = Field(description="Distance of two points.")
 
     @property
@@ -117,13 +159,9 @@ class Range(Part):
 
     def problems(self) -> Iterator[str]:
         """The range grows, and holds a step."""
-        if self.start >= self.stop:
-            yield (
-                f"start is {say(self.start)}, but must come before its stop {say(self.stop)}: "
-                "lower start or raise stop."
-            )
-        else:
-            yield from step_problems(self.step, self.stop - self.start, "from start to stop")
+        yield from [*super().problems()] or step_problems(
+            self.step, self.stop - self.start, "from start to stop"
+        )
 
 
 class Times(Range):

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from granular_fronts.scenes.parts import Distinct, Name, NotNegative, Part, Positive
+from granular_fronts.scenes.parts import Distinct, Listed, Named, NotNegative, Part, Positive
 
 ChainMethod = Literal[
     "strain_form",
@@ -60,7 +60,7 @@ class ChainProblem(Part):
         "they are steps.",
     )
     repeats: Repeats = Field(description=REPEATS)
-    methods: Annotated[Distinct[ChainMethod], Field(min_length=1)] = Field(
+    methods: Listed[ChainMethod] = Field(
         description="Integrators to compare; one that is not installed is named and left out."
     )
 
@@ -76,9 +76,7 @@ class FrontProblem(Part):
         "profile_on_grid they are spacings.",
     )
     repeats: Repeats = Field(description=REPEATS)
-    methods: Annotated[Distinct[FrontMethod], Field(min_length=1)] = Field(
-        description="Methods to compare."
-    )
+    methods: Listed[FrontMethod] = Field(description="Methods to compare.")
 
 
 class Reference(Part):
@@ -96,14 +94,12 @@ class LogBurgersProblem(Part):
     """The grids and steps on which one ring is solved, and the reference."""
 
     reference: Reference
-    upwind_points: Annotated[Distinct[Points], Field(min_length=1)] = Field(
+    upwind_points: Listed[Points] = Field(
         description="Numbers of points of the paper's explicit scheme, increasing; the paper takes "
         "10⁴."
     )
-    cells: Annotated[Distinct[Cells], Field(min_length=1)] = Field(
-        description="Numbers of finite volumes, increasing."
-    )
-    longest_steps: Annotated[Distinct[Step], Field(min_length=1)] = Field(
+    cells: Listed[Cells] = Field(description="Numbers of finite volumes, increasing.")
+    longest_steps: Listed[Step] = Field(
         description="Longest steps Δτ of the Fourier method, decreasing; their fourth power is the "
         "error per step."
     )
@@ -118,15 +114,15 @@ class LogBurgersProblem(Part):
 class Precision(Part):
     """Speed against error, measured by the target precision, for each family of problems."""
 
-    log_burgers: Annotated[dict[Name, LogBurgersProblem], Field(min_length=1)] = Field(
+    log_burgers: Named[LogBurgersProblem] = Field(
         description="Rings of section 4.3 solved by the logarithmic Burgers equation; the key "
         "names a periodic scene."
     )
-    chain: Annotated[dict[Name, ChainProblem], Field(min_length=1)] = Field(
+    chain: Named[ChainProblem] = Field(
         description="Front initiations with α = β = 3/2, N = 420, δ = 0.1, section 3.3; the key "
         "names the problem."
     )
-    fronts: Annotated[dict[Name, FrontProblem], Field(min_length=1)] = Field(
+    fronts: Named[FrontProblem] = Field(
         description="Exact fronts of the lattice with α = β = 3/2, δ = c = 1, section 6; the key "
         "names the problem."
     )

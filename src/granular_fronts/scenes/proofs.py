@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import Discriminator, Field, Tag, create_model
 
-from granular_fronts.scenes.parts import Name, Part, Positive, Several, say
+from granular_fronts.scenes.parts import Named, Pair, Part, Positive, Several, say
 
 Exponent = Annotated[float, Field(gt=1)]
 ALPHA = "Exponent α of the elastic and of the viscous force, as a decimal."
@@ -31,8 +31,7 @@ class ProvedFront(Meshes):
 
     alpha: Exponent = Field(description=ALPHA)
     gamma: Annotated[
-        Annotated[Positive, Tag("<one>")]
-        | Annotated[Several[Positive], Field(min_length=2, max_length=2), Tag("<two>")],
+        Annotated[Positive, Tag("<one>")] | Annotated[Pair[Positive], Tag("<two>")],
         Discriminator(lambda value: "<two>" if isinstance(value, list | tuple) else "<one>"),
     ] = Field(description="Damping γ as a decimal, or two decimals between which it lies.")
     beta: Annotated[float, Field(ge=1, le=1)] = Field(  # type: ignore[assignment]
@@ -76,11 +75,9 @@ class Family(_Start):
 class Proofs(Part):
     """Fronts that are proved by ball arithmetic (β = α, δ = c = 1), by the target proofs."""
 
-    fronts: Annotated[dict[Name, ProvedFront], Field(min_length=1)] = Field(
-        description="Single fronts; the key names the certificate."
-    )
+    fronts: Named[ProvedFront] = Field(description="Single fronts; the key names the certificate.")
     shown: str = Field(min_length=1, description="Name of the front of figure 24.")
-    intervals: Annotated[dict[Name, Family], Field(min_length=1)] = Field(
+    intervals: Named[Family] = Field(
         description="Families of fronts for all γ of an interval; the key names the family."
     )
 

@@ -17,7 +17,7 @@ from granular_fronts.scenes.laws import (
 )
 from granular_fronts.scenes.memory import COLUMNS_PER_ROW, NUMBERS_PER_BEAD, Held, memory_problems
 from granular_fronts.scenes.parts import (
-    Distinct,
+    Listed,
     NotNegative,
     Part,
     Positive,
@@ -145,7 +145,7 @@ class Equations(Part):
 class RingRecord(Part):
     """What is kept of the motion; nothing else is stored."""
 
-    snapshots: Annotated[Distinct[NotNegative], Field(min_length=1)] = Field(
+    snapshots: Listed[NotNegative] = Field(
         description="Times t, up to end_time, at which chain and equations are kept whole."
     )
     grid: Grid = Field(

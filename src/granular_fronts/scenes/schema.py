@@ -1,4 +1,4 @@
-"""The strict schema of the configuration, and a sentence for each of its violations.
+"""The strict schema of a campaign, and a sentence for each of its violations.
 
 A sentence names the scene, the key, its value, the limit and the way out. What a schema cannot
 express, because it ties two keys together, is a check of `sections`.
@@ -23,7 +23,7 @@ from granular_fronts.scenes.sentences import (
     NO_COMMA,
     number_as_text,
 )
-from granular_fronts.scenes.study import add_sections, find_file
+from granular_fronts.scenes.study import find_file
 from granular_fronts.scenes.yaml_files import read_yaml
 
 _KIND = {
@@ -69,8 +69,8 @@ _Validator = validators.extend(
 )
 
 
-def violations(instance: object, schema: str = "config") -> Iterator[str]:
-    """Say how a configuration violates the schema ``config``, or a campaign ``campaign``."""
+def violations(instance: object, schema: str) -> Iterator[str]:
+    """Say how a campaign violates the schema ``campaign``."""
     validator = _validator_of(schema)
     definitions = validator.schema["$defs"]
     errors = sorted(validator.iter_errors(instance), key=lambda error: str(error.path))
@@ -89,11 +89,8 @@ def _validator_of(schema: str) -> Any:
 
 @functools.cache
 def load_schema(name: str) -> dict[str, Any]:
-    """Return the schema ``config`` (with the studies) or ``campaign``."""
-    schema = read_yaml(find_file(f"{name}.schema.yaml", "schemas"))
-    if name == "config":
-        add_sections(schema)
-    return schema
+    """Return the schema ``campaign``."""
+    return read_yaml(find_file(f"{name}.schema.yaml", "schemas"))
 
 
 def _locate(path: Sequence[str | int]) -> tuple[str, str]:

@@ -14,7 +14,15 @@ from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.parts import LARGEST_WHOLE, Part, all_problems, join, name_entry, say
+from granular_fronts.scenes.parts import (
+    LARGEST_WHOLE,
+    Part,
+    all_problems,
+    count,
+    join,
+    name_entry,
+    say,
+)
 
 LONGEST_SHOWN = 60
 """Letters of a value that a sentence quotes."""
@@ -186,12 +194,13 @@ def _sentence(details: ErrorDetails, place: _Place) -> str:
     if kind == "literal_error":
         choices = re.findall("'([^']*)'", limits["expected"])
         return f"{key} is {_show(value)}, which is unknown: {_choice(value, choices)}"
-    if kind == "string_pattern_mismatch":
+    if kind == "string_pattern_mismatch" or details["loc"][-1:] == ("[key]",):
         return (
             f"{_show(value)} in {key.removesuffix(f'.{value}')} is no usable name: use lower-case "
             "letters, digits and underscores, 100 at most, a letter first."
         )
-    if isinstance(value, float) and not math.isfinite(value):
+    wants_number = "number" in WANTED.get(kind, "a number")
+    if wants_number and isinstance(value, float) and not math.isfinite(value):
         return f"{key} is {value}, but must be finite: give {WANTED.get(kind, 'a number')}."
     if kind == "repeated":
         entry, index = name_entry(key, limits["index"]), limits["index"]
@@ -204,11 +213,12 @@ def _sentence(details: ErrorDetails, place: _Place) -> str:
         return f"{key} is empty: give {wanted}{_least(least) if kind[0] == 't' else ''}."
     if kind == "too_short":
         least = limits["min_length"]
-        return f"{key} has {_count(value)}, below its limit {least}: list {least} or more."
+        return f"{key} has {count(value)}, below its limit {least}: list {least} or more."
     if kind == "too_long":
         most = limits["max_length"]
-        return f"{key} has {_count(value)}, above its limit {most}: list {most} or less."
-    if _is_huge(value):
+        return f"{key} has {count(value)}, above its limit {most}: list {most} or less."
+    is_within = kind not in LIMITS or LARGEST_WHOLE in map(abs, limits.values())
+    if wants_number and is_within and _is_huge(value):
         return f"{key} is {_show(value)}, beyond what an array can hold: give less."
     if kind in LIMITS:
         limits = {name: f"{limit:.15g}" for name, limit in limits.items()}
@@ -299,10 +309,6 @@ def _choice(value: object, names: list[str]) -> str:
 
 def _is_huge(value: object) -> bool:
     return isinstance(value, int) and abs(value) > LARGEST_WHOLE
-
-
-def _count(entries: Any) -> str:
-    return "1 entry" if len(entries) == 1 else f"{len(entries)} entries"
 
 
 def _show(value: object) -> str:
