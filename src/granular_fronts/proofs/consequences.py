@@ -125,7 +125,7 @@ def normalise(front, fall, steepest):
     front.numbers["shift"] = above(front.shift)
     return (
         f"u* = 1/2 at one ξ₀ ≥ {fmpq(fall, front.n) - front.left} only, and |ξ₀| <"
-        f" {1.001 * front.numbers['shift']:.1e}."
+        f" {1.001 * front.numbers['shift']:.3e}."
     )
 
 
