@@ -1,27 +1,48 @@
 """The certificates that are kept, and doubles and fine meshes to compute their bounds anew."""
 
 import json
+from copy import copy
 from functools import cache
 
 import numpy as np
 from projects import ROOT
 
-from granular_fronts.proofs.checker import check_certificate
+from granular_fronts.proofs import arrays
+from granular_fronts.proofs.balls import in_balls
+from granular_fronts.proofs.checker import Front, check_certificate, read
+from granular_fronts.proofs.dashpots.checker import DashpotFront
 
 DATA = ROOT / "tests/proofs/test_proof_data"
 PROVED = json.loads((DATA / "proved.json").read_text())
+KEPT = {name: DATA / f"{name}.npz" for name in PROVED}
+KEPT["dashpots"] = ROOT / "docs/certificates/dashpots.npz"
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 
 def load(name):
-    with np.load(DATA / f"{name}.npz") as file:
-        return {field: file[field] for field in file.files}
+    return arrays.load(KEPT[name])
 
 
 @cache
 def proved(name):
     """What a certificate that is kept proves, found once."""
-    return check_certificate(DATA / f"{name}.npz")
+    return check_certificate(KEPT[name])
+
+
+@cache
+def _enclosed(name):
+    with in_balls():
+        front = DashpotFront(load(name)) if name == "dashpots" else Front(read(KEPT[name]))
+        list(front.prove())
+    return front
+
+
+def enclosed(name, **changes):
+    """A front that is proved from such a certificate, something of it changed; nothing is said."""
+    front = copy(_enclosed(name))
+    front.inequalities, front.numbers = [], {}
+    vars(front).update(changes)
+    return front
 
 
 def setting(**values):

@@ -16,8 +16,7 @@ python-flint accept the same certificates.  Of NumPy one must trust
 Of the code here these modules are trusted: ``checker``, ``arrays``, ``balls``, ``contraction``,
 ``uniqueness``, ``stability``, ``tail_roots``, ``consequences`` and ``rear_expansion``.  Families
 need ``families`` too, and dashpots ``dashpots.checker``, ``dashpots.row_norms`` and
-``dashpots.ahead``.  Tests compute each bound again by other means.  They also change the checker in
-one place at a time, to see that they notice.
+``dashpots.ahead``.  Tests compute each bound again by other means.
 """
 
 from pathlib import Path
