@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from chains import (
-    by_scipy,
     driven_scene,
     given,
     integrate_strain_fixed,
@@ -72,13 +71,6 @@ def test_a_law_of_one_nonlinearity_stores_one_row_of_slopes(law, rows):
     assert chain.law.single == (rows == ROWS_OF_SINGLE)
 
 
-def test_general_kernel_equals_special_kernels():
-    """β and α a hair apart go through both nonlinearities, equal ones through one."""
-    one = last_state(driven_scene(gamma=0.3))
-    two = last_state(driven_scene(gamma=0.3, beta=1.5 + 1.0e-13))
-    assert 0.0 < np.abs(two - one).max() < 1.0e-12
-
-
 @pytest.mark.parametrize("gamma", [0.06, 0.65])
 def test_error_is_proportional_to_the_tolerance(gamma):
     exact = last_state(driven_scene(gamma))
@@ -125,15 +117,6 @@ def test_two_beads_part_with_their_coefficient_of_restitution(gamma):
     computed = last_state(driven_scene(gamma, beads=2, end_time=20.0, delta=0.0, start=start))
     assert computed[2] - computed[3] == pytest.approx(-gf.restitution(gamma), abs=1.0e-11)
     assert computed[2] + computed[3] == pytest.approx(1.0, abs=1.0e-15)
-
-
-@pytest.mark.parametrize("gamma", [0.0, 0.06, 0.65])
-def test_scipy_agrees_within_its_own_error(gamma):
-    scene = driven_scene(gamma, end_time=50.0)
-    fine, coarse = by_scipy(scene), by_scipy(scene, 1.0e-10, 1.0e-12)
-    own_error = np.abs(fine - coarse).max()
-    assert own_error < 1.0e-8
-    assert np.abs(last_state(scene) - fine).max() < own_error
 
 
 @pytest.mark.parametrize(

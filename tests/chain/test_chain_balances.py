@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from chains import driven_scene, last_state, ring_scene, smooth_ring
+from chains import driven_scene, ring_scene, smooth_ring
 
 import granular_fronts as gf
 from granular_fronts.chain import equations, run, state
@@ -41,22 +41,19 @@ def test_energy_balance_closes_through_contact_loss():
     assert float(solution.dataset["first_gap_time"]) < 100.0
 
 
-LAWS = [(1.5, 1.5), (1.2, 1.2), (3.0, 3.0), (1.5, 1.0), (1.5, 2.5), (1.0, 1.0)]
-
-
-@pytest.mark.parametrize(("alpha", "beta"), LAWS)
+@pytest.mark.parametrize(("alpha", "beta"), [(1.2, 1.2), (1.5, 1.0), (1.5, 2.5)])
 def test_balances_close_through_openings(alpha, beta):
     """A squeezed chain falls apart; W'' has roots or jumps there, the balances go on."""
     scene = squeezed_chain() | {"law": {"alpha": alpha, "beta": beta, "gamma": 0.06}}
     assert check_balances(scene, 1.0e-12).counts["steps_cut_at_contacts"] > 0
 
 
-@pytest.mark.parametrize(("alpha", "beta"), LAWS)
 @pytest.mark.parametrize("ring", [True, False])
-def test_both_forms_of_the_energy_balance_are_one(ring, alpha, beta):
+@pytest.mark.parametrize("beta", [1.5, 1.0])
+def test_both_forms_of_the_energy_balance_are_one(beta, ring):
     """Their dissipated powers differ by d/dt Σ ½ (ẋ² − w²), with ẍ and ẇ by (24) and (32)."""
     gamma, boundary = 0.4, Boundary(ring, 0.3, 0.2)
-    law = gf.make_law(alpha=alpha, beta=beta, gamma=gamma)
+    law = gf.make_law(alpha=1.5, beta=beta, gamma=gamma)
     u, w = np.random.default_rng(2).normal(size=(2, 30))
     if not ring:
         u[-1] = boundary.right
@@ -75,13 +72,12 @@ def test_both_forms_of_the_energy_balance_are_one(ring, alpha, beta):
     assert difference == pytest.approx(in_u_and_w - viscous @ rate, abs=1.0e-12)
 
 
-@pytest.mark.parametrize(("alpha", "beta"), [(1.5, 1.5), (1.2, 1.2), (1.5, 1.0), (1.0, 1.0)])
-def test_ring_balances_close(alpha, beta):
-    """And the ring keeps its length, eq. (26): over one turn Σ u_n = −L, at all times."""
+def test_a_ring_keeps_its_length():
+    """Eq. (26): over one turn Σ u_n = −L, at all times."""
     u, velocity = smooth_ring()
-    record = BALANCES | {"snapshots": [0.0, 5.0, 20.0]}
-    scene = ring_scene(u, velocity, alpha=alpha, beta=beta, end_time=20.0, record=record)
-    lengths = check_balances(scene, 1.0e-13).dataset["relative_displacement"].sum("bead")
+    record = {"snapshots": [0.0, 5.0, 20.0]}
+    motion = solve(ring_scene(u, velocity, end_time=20.0, record=record)).dataset
+    lengths = motion["relative_displacement"].sum("bead")
     np.testing.assert_allclose(lengths, u.sum(), rtol=2e-15)
 
 
@@ -104,38 +100,12 @@ def test_a_held_contact_has_no_energy_of_its_own():
         assert equations.energy(*state, Boundary(ring), HERTZ) == pytest.approx(expected)
 
 
-@pytest.mark.parametrize(
-    ("gamma", "least", "most"), [(0.0, 1 - 1e-13, 1 + 1e-13), (0.2, 0.5, 0.999)]
-)
-def test_energy_is_lost_only_to_damping(gamma, least, most):
-    start, ring = smooth_ring(), Boundary(ring=True)
-    later = np.split(last_state(ring_scene(*start, gamma)), 2)
-    before, after = (equations.energy(*state, ring, HERTZ) for state in (start, later))
-    assert least < after / before < most
-
-
 def test_beads_ahead_of_the_wave_are_exactly_at_rest():
     scene = driven_scene(0.06, beads=200, end_time=50.0)
     state = solve(scene).dataset.isel(t=-1)
     ahead = state["bead"] > 40
     assert float(np.abs(state["velocity"].where(ahead, 0.0)).max()) == 0.0
     assert float(state["velocity"].sel(bead=20)) > 0.05
-
-
-def test_shifting_the_start_along_a_ring_shifts_the_motion():
-    u, velocity = smooth_ring()
-    found, shifted = (
-        np.reshape(last_state(ring_scene(np.roll(u, s), np.roll(velocity, s))), (2, -1))
-        for s in (0, 7)
-    )
-    np.testing.assert_allclose(np.roll(found, 7, axis=1), shifted, rtol=0, atol=2.0e-14)
-
-
-def test_pressure_from_the_right_mirrors_pressure_from_the_left():
-    left = driven_scene(0.2, end_time=40.0)
-    right = left | {"boundary": {"kind": "pressure", "left": 0.0, "right": 0.1}}
-    velocities = [last_state(scene)[40:] for scene in (left, right)]
-    np.testing.assert_allclose(velocities[1], -velocities[0][::-1], rtol=0, atol=2.0e-14)
 
 
 def test_rest_means_zero_velocity_and_not_zero_w():

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 import xarray as xr
-from chains import by_scipy, driven_scene, last_state
+from chains import driven_scene, last_state
+from newton import newton
 from projects import ROOT
 
 from granular_fronts.chain.equations import Boundary
@@ -46,8 +47,8 @@ def state_of(gamma, end):
 
 
 @pytest.mark.parametrize("gamma", [pytest.param(0.06, marks=pytest.mark.slow), 0.65])
-def test_scipy_in_positions_agrees_before_contact_loss(gamma):
-    found = by_scipy(initiation(gamma, 700.0), 1e-13, 1e-15)
+def test_newtons_law_agrees_before_contact_loss(gamma):
+    found = newton(initiation(gamma, 700.0), 1e-13, 1e-15)
     assert np.max(np.abs(found - state_of(gamma, 700.0))) < 1e-12
 
 

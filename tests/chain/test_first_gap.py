@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 from chains import driven_scene, given
-from scipy.integrate import solve_ivp
+from newton import solutions
 
 import granular_fronts as gf
+from granular_fronts.scenes.chain import read_chain
 
 STRIKER = {"kind": "striker", "beads": 1, "velocity": 1.0}
 REST = {"kind": "rest"}
@@ -18,51 +19,25 @@ SOON, ROUNDING = 1.0e-6, 1.0e-14
 
 
 def first_gap(scene):
-    """Time and contact of the first opening, in positions and velocities alone."""
-    law, boundary, start, beads = (scene[key] for key in ("law", "boundary", "start", "beads"))
-    alpha, beta, gamma, gravity = (*law.values(), scene.get("gravity", 0.0))
-    kind, right = boundary["kind"], boundary.get("right", 0.0)
-    contacts = beads - (kind not in ("wall", "ring"))
-    u = np.array(start.get("relative_displacement", [right] * contacts))
-    velocity = np.zeros(beads)
-    velocity[: start.get("beads", beads)] = start.get("velocity", 0.0)
-    pull = boundary.get("force", {}).get("pulse", {})
-
-    def rates(velocity):
-        ahead = np.roll(velocity, -1)
-        ahead[-1] = velocity[0] if kind == "ring" else 0.0
-        return (velocity - ahead)[:contacts]
-
-    def slopes(t, state):
-        u, velocity = state[:contacts], state[contacts:]
-        closed = np.maximum(u, 0.0)
-        force = closed**alpha + gamma * beta * closed ** (beta - 1.0) * rates(velocity)
-        ahead = np.append(force, [right**alpha] * (beads - contacts))
-        pressure = boundary.get("left", 0.0) ** alpha
-        left = pull["height"] if pull and t < pull["duration"] else pressure
-        behind = np.append(ahead[-1] if kind == "ring" else left, ahead[:-1])
-        return np.concatenate([rates(velocity), behind - ahead + gravity])
+    """Time and contact of the first opening."""
+    checked = read_chain(scene)
 
     def opens(n):
         event = lambda t, state: state[n]  # noqa: E731 - SciPy wants an attribute of a function
         event.direction = -1.0
         return event
 
-    solution = solve_ivp(
-        slopes,
-        (0.0, scene["end_time"]),
-        np.concatenate([u, velocity]),
-        "DOP853",
-        events=[opens(n) for n in range(contacts)],
-        rtol=1.0e-10,
-        atol=1.0e-12,
-        max_step=0.05,
-        first_step=SOON,
+    options = {"rtol": 1.0e-10, "atol": 1.0e-12, "max_step": 0.05, "first_step": SOON}
+    events = [opens(n) for n in range(checked.contact_count)]
+    found = solutions(checked, events=events, **options)
+    times = np.array(
+        [
+            min((t for part in found for t in part.t_events[n] if t > SOON), default=np.inf)
+            for n in range(checked.contact_count)
+        ]
     )
-    touching, soon = u == 0.0, solution.y[:contacts, 1]
-    first = [times[times > SOON][:1] for times in solution.t_events]
-    times = np.array([time[0] if time.size else np.inf for time in first])
-    times[touching & (soon < -ROUNDING)] = 0.0
+    u, soon = found[0].y[: checked.contact_count, :2].T
+    times[(u == 0.0) & (soon < -ROUNDING)] = 0.0
     return times.min(), 1 + int(times.argmin())
 
 

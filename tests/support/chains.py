@@ -1,10 +1,7 @@
 """Scenes and small solvers that several tests share."""
 
-from itertools import pairwise
-
 import numpy as np
 from kernels import from_python
-from scipy.integrate import solve_ivp
 
 from granular_fronts.chain import integrator, strain
 from granular_fronts.chain.equations import Boundary
@@ -55,38 +52,6 @@ def last_state(scene):
     """u and velocity of all beads at the last snapshot of one integration."""
     last = solve(scene).dataset.isel(t=-1)
     return np.concatenate([last["relative_displacement"], last["velocity"]])
-
-
-def by_scipy(scene, rtol=1.0e-12, atol=1.0e-14):
-    """u and velocity at the end of a chain at rest, by SciPy in (x, w) from the law (28) alone."""
-    law, boundary, beads = scene["law"], scene["boundary"], scene["beads"]
-    speed, ramp = boundary.get("velocity", 0.0), boundary.get("ramp", 0.0)
-    pushed = boundary["kind"] == "piston"
-    free = beads - pushed
-
-    def path(t):
-        return 0.5 * speed * t * t / ramp if t < ramp else speed * (t - 0.5 * ramp)
-
-    def compressions(t, x):
-        behind = path(t) - x[0] if pushed else boundary["left"]
-        return np.concatenate([[behind], x[:-1] - x[1:], [boundary["right"]]])
-
-    def momenta_less_velocities(u):
-        return np.diff(law["gamma"] * np.maximum(u, 0.0) ** law["beta"])
-
-    def slopes(t, state):
-        u = compressions(t, state[:free])
-        forces = np.maximum(u, 0.0) ** law["alpha"]
-        return np.concatenate([state[free:] - momenta_less_velocities(u), -np.diff(forces)])
-
-    rest = np.zeros(free)
-    state = np.concatenate([rest, momenta_less_velocities(compressions(0.0, rest))])
-    times = np.unique([0.0, ramp, scene["end_time"]])
-    for span in pairwise(times):
-        state = solve_ivp(slopes, span, state, "DOP853", rtol=rtol, atol=atol).y[:, -1]
-    u = compressions(scene["end_time"], state[:free])
-    velocity = state[free:] - momenta_less_velocities(u)
-    return np.concatenate([u[-beads:], [speed] * pushed, velocity])
 
 
 def take_fixed_steps(chain, table, h, steps):
