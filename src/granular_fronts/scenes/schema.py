@@ -10,6 +10,7 @@ import json
 import math
 import sys
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 from types import UnionType
 from typing import Any
 
@@ -23,7 +24,6 @@ from granular_fronts.scenes.sentences import (
     NO_COMMA,
     number_as_text,
 )
-from granular_fronts.scenes.study import find_file
 from granular_fronts.scenes.yaml_files import read_yaml
 
 _KIND = {
@@ -89,8 +89,10 @@ def _validator_of(schema: str) -> Any:
 
 @functools.cache
 def load_schema(name: str) -> dict[str, Any]:
-    """Return the schema ``campaign``."""
-    return read_yaml(find_file(f"{name}.schema.yaml", "schemas"))
+    """Return the schema ``campaign``, of which an installed package has a copy in this folder."""
+    copy = Path(__file__).with_name(f"{name}.schema.yaml")
+    folder = Path(__file__).parents[3].joinpath("workflow", "schemas")
+    return read_yaml(copy if copy.exists() else folder / copy.name)
 
 
 def _locate(path: Sequence[str | int]) -> tuple[str, str]:
