@@ -2,8 +2,8 @@
 
 import functools
 import math
-from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, ClassVar, Literal
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
@@ -32,7 +32,7 @@ from granular_fronts.scenes.parts import (
     name_entry,
     say,
 )
-from granular_fronts.scenes.sentences import Scene, read_part
+from granular_fronts.scenes.sentences import Scene
 
 RELATIVE_TOLERANCE_FLOOR = 1.0e-15
 """Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
@@ -633,8 +633,3 @@ class Chain(Scene):
                 f"{LARGEST_OVERSHOOT * driving:.3g} where about {driving:.3g} drives them: give "
                 f"{0.5 * driving:.3g}, half of a front."
             )
-
-
-def read_chain(given: Mapping[str, Any] | Chain, name: str = "given") -> Chain:
-    """Return a scene of a chain; an InputError calls it by its name."""
-    return read_part(Chain, given, f"Scene {name}: ")

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from types import UnionType
-from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, Self, TypeVar, Union, get_args, get_origin
 
 import yaml
 from pydantic import ValidationError
@@ -87,6 +87,11 @@ class Scene(Part):
 
     # Pydantic itself makes scenes without it: `read_part` has sentences of its own.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
+
+    @classmethod
+    def read(cls, given: object, name: str = "given") -> Self:
+        """Return the scene of a mapping, or a scene itself; an InputError calls it by its name."""
+        return read_part(cls, given, f"Scene {name}: ")
 
 
 class _Place:
