@@ -107,7 +107,7 @@ def test_a_ring_closes_with_the_contact_of_its_last_and_first_sphere():
         ("steel 1e999 mm", {}, "has the diameter 1e999"),
         ("steel", {}, "without a diameter: give one, as in steel 9.5 mm"),
         ("9.5 mm steel", {}, "is no body | as in steel 9.5 mm"),
-        ("steel 5 mm", {"alpha": 2.0}, "law.alpha is 2: give alpha 1.5"),
+        ("steel 5 mm", {"alpha": 2.0}, "law has alpha 2: give alpha 1.5"),
         ("steel 5 mm", {"boundary": {"kind": "wall", "left": 0.0}}, "boundary.material is missing"),
         ("steel 5 mm", {"boundary": STEEL_WALL | {"material": "wood"}}, "'wood' is no material"),
         ("steel 5 mm", {"contacts": {"elastic": 2.0}}, "contacts.elastic is given"),

@@ -177,7 +177,13 @@ def _tags(kind: Any) -> tuple:
 
 def _sentences(error: ValidationError, root: type[Part], given: object) -> Iterator[str]:
     errors = error.errors(include_url=False)
+    nested = set()
     for details in errors:
+        if isinstance(details["input"], list) and isinstance(details["loc"][-1], int):
+            # Entries that are lists, as a column has them, are one mistake.
+            if details["loc"][:-1] in nested:
+                continue
+            nested.add(details["loc"][:-1])
         inside = [one for one in errors if one["loc"][: len(details["loc"])] == details["loc"]]
         if details["type"] == "too_short" and len(inside) > 1:
             continue  # Entries that are wrong themselves do not count for pydantic.
