@@ -1,6 +1,5 @@
 """The keys of the configuration and of campaigns as tables, from their schemas."""
 
-import math
 import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -8,11 +7,11 @@ from typing import Any, NamedTuple
 
 import yaml
 
-from granular_fronts.campaign.kinds import KINDS, Parameter
+from granular_fronts.campaign.file import CampaignFile
+from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.model import kinds, laws
 from granular_fronts.scenes.configuration import Configuration
-from granular_fronts.scenes.parts import LARGEST_WHOLE
-from granular_fronts.scenes.schema import load_schema
+from granular_fronts.scenes.parts import LARGEST_WHOLE, Part
 
 CONFIG = Path(__file__).parents[1] / "config"
 
@@ -249,17 +248,16 @@ OF_SCENE = "An axis is any number of the scene, such as `start.velocity`."
 
 def campaign_page() -> str:
     """The keys of a campaign, and the axes and scalars of each kind."""
-    schema = load_schema("campaign")
+    schema = CampaignFile.model_json_schema()
     lines = ["# Campaigns", "", schema["description"], "", *table(distinct_keys(schema))]
     example = (CONFIG / "campaigns" / "smoke.yaml").read_text(encoding="utf-8").strip()
     lines += ["", "A complete example, `config/campaigns/smoke.yaml`:", ""]
     lines += ["```yaml", example, "```"]
     for name, kind in KINDS.items():
-        head = ["| axis | range | default | meaning |", "|---|---|---|---|"]
-        lines += ["", f"## Kind {name}", "", *(head if kind.parameters else [OF_SCENE])]
-        for key, axis in kind.parameters.items():
-            default = {...: "required", None: "α"}.get(axis.default, axis.default)
-            lines.append(f"| `{key}` | {_range_of(axis)} | {default} | {axis.meaning} |")
+        lines += ["", f"## Kind {name}", ""]
+        lines += [*_axes_of(kind.point)] or [OF_SCENE]
+        if "law" in kind.keys:
+            lines += ["", "With `law`:", "", *_axes_of(kind.point_of_given)]
         for group in kind.one_of:
             lines += ["", f"Give exactly one of {', '.join(f'`{one}`' for one in group)}."]
         lines += ["", "| scalar | meaning |", "|---|---|"]
@@ -269,11 +267,12 @@ def campaign_page() -> str:
     return "\n".join(lines) + "\n"
 
 
-def _range_of(axis: Parameter) -> str:
-    """The values that an axis of a campaign may have."""
-    parts = ["whole number"] if axis.whole else []
-    if math.isfinite(axis.least):
-        parts.append(f"{'>' if axis.above else '≥'} {axis.least:g}")
-    if math.isfinite(axis.most):
-        parts.append(f"≤ {axis.most:g}")
-    return ", ".join(parts)
+def _axes_of(point: type[Part]) -> list[str]:
+    """A table of the numbers of a point of a campaign, none if it has none."""
+    head = ["| axis | range | default | meaning |", "|---|---|---|---|"]
+    rows = []
+    for key in distinct_keys(point.model_json_schema()):
+        default = "required" if key.required else key.part["default"]
+        default = "α" if key.path == "beta" else "none" if default is None else default
+        rows.append(f"| `{key.path}` | {type_of(key.part)} | {default} | {key.description} |")
+    return [*head, *rows] if rows else []

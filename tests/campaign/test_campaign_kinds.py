@@ -3,7 +3,18 @@
 import numpy as np
 import pytest
 import xarray as xr
-from campaigns import CHAINS, all_chunks, campaign, solve, solved_points
+from campaigns import (
+    CHAINS,
+    CHAINS_OF_A_LAW,
+    FRONTS,
+    FRONTS_OF_A_LAW,
+    TODA,
+    all_chunks,
+    campaign,
+    merged,
+    solve,
+    solved_points,
+)
 from chains import driven_scene
 
 from granular_fronts.campaign import merging, points
@@ -13,6 +24,7 @@ from granular_fronts.errors import SolveError
 from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.fronts.sweep import sweep_fronts
+from granular_fronts.model.laws import make_law
 from granular_fronts.output.datasets import DatasetError, read_dataset, write_dataset
 
 # Kinds.
@@ -69,9 +81,6 @@ def test_error_estimate_of_chains_bounds_the_error():
         assert 0.0 < error < 20.0 * coarse.errors[name]
 
 
-FRONTS = {"kind": "front", "axes": {"alpha": [1.3, 1.5], "gamma": [0.1, 0.2, 0.6]}}
-
-
 def test_front_points_are_exact_fronts():
     axes = FRONTS["axes"]
     solved = solved_points(
@@ -114,6 +123,62 @@ def test_a_front_that_is_not_found_has_no_values():
         np.testing.assert_array_equal(np.isnan(value), [[True, False]])
 
 
+# Any law.
+
+
+def solved(given):
+    found = solved_points(campaign(given))
+    assert not found.reasons.any()
+    return found
+
+
+def test_a_law_of_powers_gives_the_points_of_its_exponents():
+    """Solved in the units of the law and in those of δ: James (2021), eq. (29)."""
+    ends = {"beads": 30, "delta_right": 0.01}
+    record = {"scalars": [*CHAINS_OF_A_LAW["record"]["scalars"], "smallest_compression"]}
+    axes = {"gamma": [0.1, 0.3], "delta": [0.1, 0.5]}
+    short = {"kind": "chain", "tolerance": CHAINS_OF_A_LAW["tolerance"], "record": record}
+    expected = solved(short | {"axes": axes, "fixed": {"alpha": 1.5, "beta": 2.5} | ends})
+    law = {"elastic": {"kind": "hertz", "alpha": 1.5}, "viscous": {"kind": "simon_hunt_crossley"}}
+    varied = {"law.viscous.gamma": [0.1, 0.3], "delta": [0.1, 0.5]}
+    found = solved(CHAINS_OF_A_LAW | {"law": law, "axes": varied, "fixed": ends, "record": record})
+    assert (expected.values["smallest_compression"] < 0.0).all()
+    for name, values in expected.values.items():
+        np.testing.assert_allclose(found.values[name], values, rtol=1e-6, atol=1e-7)
+
+
+def test_strong_pressure_makes_the_front_of_the_jump_conditions():
+    """The speed over c of eq. (13) is 1 where the front has formed."""
+    found = solved(CHAINS_OF_A_LAW | {"axes": {"law.viscous.gamma": [1.0], "delta": [2.0]}})
+    assert found.values["front_speed"][0, 0] == pytest.approx(1.0, abs=2e-3)
+
+
+def test_front_points_of_a_law_are_its_exact_fronts():
+    found = solved(FRONTS_OF_A_LAW)
+    for (line, fast), overshoot in np.ndenumerate(found.values["overshoot"]):
+        rate = FRONTS_OF_A_LAW["axes"]["law.elastic.rate"][line]
+        law = make_law(TODA | {"elastic": {"kind": "toda", "rate": rate}})
+        damped = law.with_damping(FRONTS_OF_A_LAW["axes"]["damping"][fast])
+        front = solve_front(law=damped, states=(-2.0, 0.0))
+        assert overshoot == pytest.approx(front.attrs["overshoot"], abs=1e-12)
+        u, xi = found.values["relative_displacement"][line, fast], np.linspace(-2, 2, 5)
+        np.testing.assert_allclose(u, evaluate_front(front, xi), rtol=0, atol=1e-12)
+
+
+def test_a_front_beyond_double_precision_leaves_a_reason():
+    steep = {"elastic": {"kind": "hertz", "alpha": 300.0}, "viscous": TODA["viscous"]}
+    axes, ends = {"damping": [1e-300]}, {"behind": -10.0}
+    found = solved_points(campaign(FRONTS_OF_A_LAW, law=steep, axes=axes, fixed=ends))
+    assert "A front of this law lies beyond double precision" in found.reasons[0, 0]
+
+
+def test_varied_numbers_of_a_law_are_dimensions_of_the_grid(tmp_path):
+    grid = merged(campaign(CHAINS_OF_A_LAW), tmp_path, 2)
+    assert grid["front_speed"].dims == ("elastic_rate", "delta")
+    assert grid["elastic_rate"].attrs["long_name"] == "law.elastic.rate"
+    np.testing.assert_array_equal(grid["status"], 0)
+
+
 # Merging, failing points.
 
 
@@ -126,25 +191,25 @@ def solved_grid(tmp_path_factory):
 
 
 def test_merged_grid_holds_each_point_in_its_place(solved_grid):
-    asked, files, merged = solved_grid
-    assert merged.sizes == {"delta": 2, "gamma": 3, "sentence": 1}
+    asked, files, whole = solved_grid
+    assert whole.sizes == {"delta": 2, "gamma": 3, "sentence": 1}
     for name, value in solved_points(asked).values.items():
-        np.testing.assert_array_equal(merged[name], value)
+        np.testing.assert_array_equal(whole[name], value)
     errors = [read_dataset(file, file.stem)["overshoot"].error_estimate for file in files]
-    assert merged["overshoot"].error_estimate == max(errors) > min(errors)
-    assert merged["first_peak"].attrs["long_name"].startswith("first maximum of u_n")
-    assert merged["overshoot"].equals(merged["largest_peak"])
-    assert merged.attrs["failed_points"] == 0
-    assert merged.attrs["beads"] == 30
-    assert merged.equals(merging.merge_chunks(asked, files[::-1]))
+    assert whole["overshoot"].error_estimate == max(errors) > min(errors)
+    assert whole["first_peak"].attrs["long_name"].startswith("first maximum of u_n")
+    assert whole["overshoot"].equals(whole["largest_peak"])
+    assert whole.attrs["failed_points"] == 0
+    assert whole.attrs["beads"] == 30
+    assert whole.equals(merging.merge_chunks(asked, files[::-1]))
 
 
 def test_merged_grid_may_have_its_axes_turned_or_cut(solved_grid):
-    _, files, merged = solved_grid
+    _, files, whole = solved_grid
     turned = campaign(axes={"gamma": [0.3, 0.8], "delta": [0.1, 1.0]})
     part = merging.merge_chunks(turned, files)
     assert part["overshoot"].dims == ("gamma", "delta")
-    expected = merged["overshoot"].sel(gamma=[0.3, 0.8]).transpose("gamma", "delta")
+    expected = whole["overshoot"].sel(gamma=[0.3, 0.8]).transpose("gamma", "delta")
     assert part["overshoot"].equals(expected)
 
 
@@ -160,8 +225,7 @@ def test_profile_of_chains_stands_at_the_beads_it_was_taken_at(tmp_path):
     def final_state(count):
         profile = {"start": 1, "stop": 29, "count": count}
         asked = campaign(record={"scalars": ["overshoot"], "profile": profile})
-        files = [solve(chunk, tmp_path) for chunk in all_chunks(asked, 10)]
-        return merging.merge_chunks(asked, files)["relative_displacement"]
+        return merged(asked, tmp_path, 10)["relative_displacement"]
 
     few = final_state(4)
     assert list(few["bead"].values) == [1, 10, 20, 29]
@@ -174,27 +238,24 @@ def test_failing_point_has_a_reason_and_the_others_are_solved(tmp_path):
         axes={"crossings": [0.3, 1.2], "gamma": [0.1, 0.3]},
         fixed={"alpha": 1.5, "beads": 30, "delta": 1.0},
     )
-    [chunk] = all_chunks(asked, 10)
     path = tmp_path / "merged.nc"
-    write_dataset(
-        merging.merge_chunks(asked, [solve(chunk, tmp_path)]), path, scene_id="mine", config=CHAINS
-    )
-    merged = read_dataset(path)
-    assert len(merged.drop_dims("sentence").to_dataframe()) == 4
-    np.testing.assert_array_equal(merged["status"], [[1, 1], [0, 0]])
-    assert merged.attrs["failed_points"] == 2
-    texts = merged["reason_text"].values[merged["reason"].values]
+    write_dataset(merged(asked, tmp_path, 10), path, scene_id="mine", config=CHAINS)
+    grid = read_dataset(path)
+    assert len(grid.drop_dims("sentence").to_dataframe()) == 4
+    np.testing.assert_array_equal(grid["status"], [[1, 1], [0, 0]])
+    assert grid.attrs["failed_points"] == 2
+    texts = grid["reason_text"].values[grid["reason"].values]
     assert texts[1, 0] == ""
     assert "has not passed the middle of the chain" in texts[0, 0]
-    assert np.isnan(merged["overshoot"].values[0]).all()
-    assert np.isfinite(merged["overshoot"].values[1]).all()
+    assert np.isnan(grid["overshoot"].values[0]).all()
+    assert np.isfinite(grid["overshoot"].values[1]).all()
 
 
 @pytest.mark.parametrize(
     ("changed", "words"),
     [
         ({"delta": 1.0, "delta_right": 1e300}, "energies of about 1e"),
-        ({"alpha": 1.0001, "delta": 1e-300, "gamma": 1e300}, "law has gamma 9.66"),
+        ({"alpha": 1.0001, "delta": 1e-300, "gamma": 1e300}, "law.gamma is 9.66"),
     ],
 )
 def test_numbers_that_overflow_are_a_reason(changed, words):

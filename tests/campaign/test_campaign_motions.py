@@ -4,27 +4,14 @@ import numpy as np
 import pytest
 import xarray as xr
 import yaml
-from campaigns import ROOT, all_chunks, campaign, refusal, solve, solved_points
+from campaigns import RATIOS, ROOT, SCENE, campaign, merged, solved_points
 from chains import given
-from configurations import assert_refused
 from scipy.special import stdtrit
 
 import granular_fronts as gf
-from granular_fronts.campaign import merging
 from granular_fronts.campaign.averages import mean_over
-from granular_fronts.campaign.motion_scenes import scene_at
+from granular_fronts.campaign.numbers import with_numbers
 
-SENSORS = {"far": {"contacts": [5, 15], "start": 0, "stop": 30, "step": 0.1}}
-SCENE = {
-    "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0},
-    "beads": {"count": 20, "mass": {"cell": [1, 1]}},
-    "boundary": {"kind": "pressure", "left": 0, "right": 0},
-    "start": {"kind": "striker", "beads": 1, "velocity": 1},
-    "end_time": 30,
-    "tolerance": {"relative": 1.0e-8, "absolute": 1.0e-10},
-    "record": {"snapshots": [], "sensors": SENSORS},
-}
-RATIOS = {"kind": "motion", "scene": SCENE, "axes": {"beads.mass.cell.2": [0.3, 1.0]}}
 RANDOM = {"random": {"spread": 0.1, "seed": 1}, "impurity": {"bead": 1, "mass": 1}}
 SEEDS = {
     "kind": "motion",
@@ -68,27 +55,27 @@ def test_the_largest_force_is_that_of_any_pulse():
     assert solved.values["largest_force"][0, 1] == pytest.approx(float(peaks.max()), rel=1e-12)
 
 
-def test_axes_find_numbers_in_lists_and_keep_whole_ones():
+def test_axes_find_numbers_in_lists_and_keep_whole_ones_and_laws_gain_those_they_lack():
     points = {"beads_mass_random_seed": 7.0, "beads_mass_random_spread": 0.5, "end_time": 12.5}
-    scene = scene_at(SEEDS["scene"], points)
+    scene = with_numbers(SEEDS["scene"], points)
     assert scene["beads"]["mass"]["random"] == {"spread": 0.5, "seed": 7}
     assert type(scene["beads"]["mass"]["random"]["seed"]) is int
     assert scene["end_time"] == 12.5
-    assert scene_at(SCENE, {"beads_mass_cell_2": 0.3})["beads"]["mass"]["cell"] == [1, 0.3]
+    assert with_numbers(SCENE, {"beads_mass_cell_2": 0.3})["beads"]["mass"]["cell"] == [1, 0.3]
     assert SCENE["beads"]["mass"]["cell"] == [1, 1]
+    law = with_numbers({"elastic": {"kind": "toda"}}, {"elastic_rate": 2, "viscous_gamma": 0.5})
+    assert law == {"elastic": {"kind": "toda", "rate": 2.0}, "viscous": {"gamma": 0.5}}
 
 
 def test_means_over_seeds_have_their_standard_error(tmp_path):
-    asked = campaign(SEEDS)
-    files = [solve(chunk, tmp_path) for chunk in all_chunks(asked, 3)]
-    merged = merging.merge_chunks(asked, files)
-    assert merged["largest_force"].dims == ("beads_mass_random_spread", "beads_mass_random_seed")
-    assert merged["beads_mass_random_seed"].attrs["long_name"] == "beads.mass.random.seed"
-    means = mean_over(merged, "beads_mass_random_seed")
-    values = merged["largest_force"].values
+    draws = merged(campaign(SEEDS), tmp_path, 3)
+    assert draws["largest_force"].dims == ("beads_mass_random_spread", "beads_mass_random_seed")
+    assert draws["beads_mass_random_seed"].attrs["long_name"] == "beads.mass.random.seed"
+    means = mean_over(draws, "beads_mass_random_seed")
+    values = draws["largest_force"].values
     np.testing.assert_allclose(means["largest_force"], values.mean(axis=1))
     scatter = 0.5 * stdtrit(3, 0.975) * values.std(axis=1, ddof=1) / 2.0
-    error = merged["largest_force"].error_estimate
+    error = draws["largest_force"].error_estimate
     np.testing.assert_allclose(means["largest_force_error"], scatter + error)
 
 
@@ -110,13 +97,6 @@ def test_a_scatter_of_draws_covers_the_mean_of_many(count):
     assert inside.mean() == pytest.approx(0.95, abs=0.015)
 
 
-@pytest.mark.parametrize("name", ["dimer_ratio", "taper", "disorder", "striker"])
-def test_campaigns_of_the_project_are_possible_and_small(name):
-    file = ROOT / "config" / "campaigns" / f"{name}.yaml"
-    asked = campaign(yaml.safe_load(file.read_text(encoding="utf-8")))
-    assert asked.size * asked.kind.seconds_per_point < 60.0
-
-
 @pytest.mark.slow
 def test_a_dimer_carries_and_scatters_pulses_at_the_masses_of_figure_26():
     """A solitary wave near the mass 0.34, and the largest losses near 0.59, as figure 26 shows."""
@@ -127,28 +107,3 @@ def test_a_dimer_carries_and_scatters_pulses_at_the_masses_of_figure_26():
     force = solved.values["largest_force"][0]
     assert best[np.argmax(force[:5])] == 0.34
     assert worst[np.argmin(solved.values["transmitted_energy"][0, 5:])] == 0.59
-
-
-@pytest.mark.parametrize(
-    ("changes", "words"),
-    [
-        ({"axes": {"start.velocty": [1.0]}}, "axes.start.velocty | did you mean start.velocity"),
-        ({"axes": {"start.velocity": [0.0, 1.0]}}, "start.velocity is 0,"),
-        ({"axes": {"beads.count": [20, 20.5]}}, "beads.count is 20.5"),
-        ({"axes": {"beads.mass.cell.2": [-1.0, 1.0]}}, "beads.mass.cell (entry 2) is -1,"),
-        ({"tolerance": 1e-8}, "tolerance is given"),
-        ({"fixed": {"beads": 30}}, "fixed is given"),
-        ({"scene": SCENE | {"record": {"snapshots": []}}}, "sensors has 0 entries"),
-        ({"scene": SCENE | {"record": []}}, "sensors has 0 entries"),
-        ({"scene": SCENE | {"record": {"sensors": {"a": 3}}}}, "sensors has 1 entries"),
-        ({"kind": "chain"}, "scene is given | kind is chain"),
-        ({"record": {"scalars": ["transmitted"]}}, "transmitted"),
-    ],
-)
-def test_impossible_campaigns_of_motions_are_refused(changes, words):
-    assert_refused(refusal(RATIOS, **changes), words)
-
-
-def test_a_motion_needs_its_scene():
-    without = {key: value for key, value in RATIOS.items() if key != "scene"}
-    assert_refused(refusal(without), "scene is missing | kind is motion")

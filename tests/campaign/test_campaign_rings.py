@@ -1,33 +1,21 @@
-"""Campaigns of rings: their points, what a file may ask for, and the paper's two runs."""
+"""Campaigns of rings: their points, their orders, and the paper's two runs."""
 
 import numpy as np
 import pytest
 import xarray as xr
-from campaigns import CHAINS, all_chunks, campaign, refusal, solve, solved_points
+from campaigns import PULSE, RINGS, campaign, merged, solved_points
 from configurations import assert_refused
 from rings import scene_with
 
-from granular_fronts.campaign import measures, merging
+from granular_fronts.campaign import measures
 from granular_fronts.campaign.ring_points import make_ring
 from granular_fronts.errors import InputError
 from granular_fronts.studies.ring_against_equations import compare_with_chain
 from granular_fronts.studies.ring_limit import compare
 
-PULSE = {"half_length": 8.1, "half_width": 2, "base": 0.2}
-RINGS = {
-    "kind": "ring",
-    "start": {"profile": "pulse"},
-    "axes": {"alpha": [1.1, 1.2], "slow_time": [0.2, 0.5]},
-    "fixed": {"damping": 0.5, **PULSE},
-    "tolerance": 1.0e-6,
-}
-
 
 def solved(given=RINGS, **changes):
     return solved_points(campaign(given, **changes))
-
-
-# Points.
 
 
 def test_points_are_the_rings_of_the_study():
@@ -76,12 +64,11 @@ def test_merged_rings_keep_their_axes_and_profile(tmp_path):
         "scalars": ["displacement_sup_logarithmic"],
         "profile": {"start": -4, "stop": 4, "count": 9},
     }
-    asked = campaign(RINGS, record=record)
-    merged = merging.merge_chunks(asked, [solve(c, tmp_path) for c in all_chunks(asked, 1)])
-    assert merged["displacement_sup_logarithmic"].dims == ("alpha", "slow_time")
-    assert merged.attrs["damping"] == 0.5
-    assert "gamma" not in merged.attrs
-    wave = merged["relative_displacement"].sel(alpha=1.1, slow_time=0.2)
+    rings = merged(campaign(RINGS, record=record), tmp_path, 1)
+    assert rings["displacement_sup_logarithmic"].dims == ("alpha", "slow_time")
+    assert rings.attrs["damping"] == 0.5
+    assert "gamma" not in rings.attrs
+    wave = rings["relative_displacement"].sel(alpha=1.1, slow_time=0.2)
     assert float(wave.max()) == pytest.approx(0.93, abs=0.02)
     assert abs(float(wave.idxmax("xi"))) <= 1.0
 
@@ -121,9 +108,9 @@ def test_paper_does_not_keep_its_requirement():
 WAVE = {"alpha": 1.2, "delta": 1.0, "damping": 0.5}
 
 
-@pytest.mark.parametrize(
-    ("changes", "words"),
-    [
+def test_wave_that_does_not_fit_its_ring_leaves_a_reason():
+    low = {"profile": "given", "rescaled_force": [0.001, 0.001, 1, 1, 0.001, 0.001]}
+    for changes, words in (
         ({"damping": 0.02, "half_length": 12.5}, "half_width is 2, but beads are ε = 8.33 apart"),
         ({"damping": 0.1}, "half_length is 8.1, but beads are ε = 1.67 apart"),
         ({"damping": 1e300}, "gamma c is 1e+300, but rings are followed for 0.001 to 1000"),
@@ -133,16 +120,12 @@ WAVE = {"alpha": 1.2, "delta": 1.0, "damping": 0.5}
         ({"alpha": 1 + 1e-9}, "half_length is 8.1, which asks for p | above 1e+06"),
         ({"alpha": 9.0, "delta": 1e300}, "A scale of this ring lies beyond double precision"),
         ({"alpha": 9.0, "delta": 1e-300}, "A scale of this ring lies beyond double precision"),
-        ({"rescaled_force": [0.001, 0.001, 1, 1, 0.001, 0.001]}, "rescaled_force passes through"),
-    ],
-)
-def test_wave_that_does_not_fit_its_ring_leaves_a_reason(changes, words):
-    start = RINGS["start"]
-    if force := changes.pop("rescaled_force", None):
-        start = {"profile": "given", "rescaled_force": force}
-    with pytest.raises(InputError) as caught:
-        make_ring({**WAVE, **PULSE, **changes}, start)
-    assert_refused(str(caught.value), words)
+        ({"start": low}, "rescaled_force passes through"),
+    ):
+        point = {**WAVE, **PULSE, **changes}
+        with pytest.raises(InputError) as caught:
+            make_ring(point, point.pop("start", RINGS["start"]))
+        assert_refused(str(caught.value), words)
 
 
 @pytest.mark.parametrize("alpha", [1.03, 1.04, 1.1])
@@ -189,46 +172,3 @@ def test_orders_and_largest_errors_of_rings():
     largest = measures.largest_over_exponent(rings, "e", least_mu=2.0)
     assert largest.value == pytest.approx((error / (1.0 - 1.0 / alpha)).max())
     assert np.isnan(measures.largest_over_exponent(rings, "e", most_mu=2.0).value)
-
-
-# What a file may ask for.
-
-
-def fixed_with(**changes):
-    return {"fixed": {**RINGS["fixed"], **changes}}
-
-
-def given(*force):
-    return {"start": {"profile": "given", "rescaled_force": [*force]}}
-
-
-LISTED = {"fixed": {"damping": 0.5, "half_length": 8.1, "half_width": 2}}
-
-
-@pytest.mark.parametrize(
-    ("changes", "words"),
-    [
-        (fixed_with(mu=2), "damping and mu are given: keep one"),
-        ({"fixed": {**PULSE}}, "none is given: give one under axes"),
-        (fixed_with(half_beads=80), "half_beads and half_length are given: keep one"),
-        ({"axes": {"alpha": [1], "slow_time": [1]}}, "axes.alpha reaches down to 1 | above 1"),
-        ({"axes": {"alpha": [1.1], "slow_time": [0]}}, "axes.slow_time reaches | above 0"),
-        ({"axes": {"alpha": [1e6], "slow_time": [1]}}, "axes.alpha reaches | 10 or less"),
-        (fixed_with(damping=-0.5), "fixed.damping reaches down to -0.5 | above 0"),
-        (fixed_with(half_width=1e-6), "fixed.half_width reaches | 0.01 or more"),
-        ({"start": {"profile": "given"}}, "rescaled_force"),
-        ({"start": {"profile": "pulse", "rescaled_force": [1, 1, 2, 1, 1]}}, "rescaled_force"),
-        (given(1, 1, 2, 1, 3), "start.rescaled_force begins with 1 and ends with 3"),
-        (given(0, 0, 0, 0, 0), "start.rescaled_force has one value"),
-        (given(1, 2, 3, 2, 1) | LISTED, "fixed.half_width is given"),
-        ({"record": {"scalars": ["displacement_max"]}}, "did you mean displacement_"),
-        (CHAINS | {"start": {"profile": "pulse"}}, "start is given, but kind chain"),
-    ],
-)
-def test_impossible_campaign_of_rings_is_refused(changes, words):
-    assert_refused(refusal(RINGS, **changes), words)
-
-
-def test_rings_need_a_start():
-    without = {name: value for name, value in RINGS.items() if name != "start"}
-    assert_refused(refusal(without), "start is missing | plateau, pulse")

@@ -121,8 +121,10 @@ def test_a_key_has_type_default_unit_and_meaning():
 def test_every_axis_and_scalar_of_a_campaign_is_listed():
     page = KEYS.campaign_page()
     for name, kind in KINDS.items():
-        assert rows_of(page, f"Kind {name}").keys() >= kind.parameters.keys() | kind.scalars.keys()
-    assert rows_of(page, "Kind chain")["beta"] == ["≥ 1", "α", "exponent of the viscous force"]
+        rows = rows_of(page, f"Kind {name}")
+        assert rows.keys() >= kind.point.model_fields.keys() | kind.scalars.keys()
+    beta = rows_of(page, "Kind chain")["beta"]
+    assert beta == ["number, ≥ 1", "α", "exponent of the viscous force"]
 
 
 # Pictures and links.

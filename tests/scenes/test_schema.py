@@ -1,8 +1,7 @@
-"""The schemas describe every key, and let no other pass; a user's errors quote them."""
+"""Every key says what it is, and a part is what it says of itself."""
 
 import json
 import pickle
-import re
 from typing import get_args
 
 import numpy as np
@@ -16,40 +15,8 @@ from granular_fronts.scenes.chain import Chain, Record
 from granular_fronts.scenes.configuration import Configuration
 from granular_fronts.scenes.orbit import Orbits
 from granular_fronts.scenes.parts import Part
-from granular_fronts.scenes.schema import load_schema
 from granular_fronts.scenes.validation import SCENES, check_scene
 from granular_fronts.scenes.yaml_files import load_configuration
-
-SCHEMAS = {"campaign": load_schema("campaign")}
-
-
-def schema_nodes(node, path="schema"):
-    """Walk through the schema's own schemas: properties, definitions and their parts."""
-    yield path, node
-    for group in ("properties", "$defs"):
-        for name, child in node.get(group, {}).items():
-            yield from schema_nodes(child, f"{path}.{name}")
-
-
-def description(node, schema):
-    """What is said of a node, or of the definition that it refers to."""
-    referred = schema["$defs"].get(node.get("$ref", "").rpartition("/")[2], {})
-    return node.get("description") or referred.get("description", "")
-
-
-@pytest.mark.parametrize("schema", SCHEMAS.values(), ids=SCHEMAS)
-def test_every_key_is_known_described_and_optional_where_it_says_so(schema):
-    """But for potentials, whose kinds and parameters `model.kinds` lists."""
-    for path, node in schema_nodes(schema):
-        if node.get("type") in ("number", "integer"):
-            assert re.search(r"dimensionless|in (m/s|[a-z]+s) \(SI\)", node["description"]), path
-        if "properties" not in node or "allOf" in node:
-            continue
-        assert "potential" in path or node.get("additionalProperties") is False, path
-        for name, child in node["properties"].items():
-            said = description(child, schema)
-            assert said, f"{path}.{name}"
-            assert ("Optional" in said) == (name not in node.get("required", [])), f"{path}.{name}"
 
 
 def parts_below(part):

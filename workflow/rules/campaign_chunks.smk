@@ -29,7 +29,7 @@ def campaign_of(name):
 
 def campaign_kernels(wildcards):
     """Return the stamps of the kernels that solve a campaign."""
-    return KERNELS_OF_KIND[campaign_of(wildcards.campaign).kind_name]
+    return KERNELS_OF_KIND[campaign_of(wildcards.campaign).file.kind]
 
 
 def campaign_code(script):

@@ -23,7 +23,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.accuracy import largest_difference, refined_by, rounding_floor
-from granular_fronts.campaign.chain_scenes import normalised_scene, scene_of_law
+from granular_fronts.campaign.chain_scenes import scene_of
 from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.campaign.points import single_points, solve_groups
 from granular_fronts.chain.event_errors import event_errors
@@ -74,10 +74,7 @@ def _measure(point, settings, beads, refined):
 
 def _solve_point(point, law, tolerance):
     """Follow one chain, a `_Motion`."""
-    if law is None:
-        scene, length, c = normalised_scene(point, tolerance), 1.0, 1.0
-    else:
-        scene, length, c = scene_of_law(point, law, tolerance)
+    scene, length, c = scene_of(point, law, tolerance)
     run = prepare(scene)
     return _Motion(run, run.scene, integrate(run, run.scene.tolerance), length, c)
 

@@ -107,7 +107,7 @@ def _known_chunks(campaign: Campaign, folder: Path) -> Iterator[Chunk]:
         except (DatasetError, TypeError):
             continue  # Its points are solved again.
         same_parameters = {*chunk.lines, *chunk.fast} == {*campaign.grid}
-        same_settings = (chunk.kind, chunk.settings) == (campaign.kind_name, campaign.settings)
+        same_settings = (chunk.kind, chunk.settings) == (campaign.file.kind, campaign.settings)
         if same_parameters and same_settings:
             yield chunk
 
@@ -163,7 +163,7 @@ def cut(campaign: Campaign, missing: np.ndarray, chunk_points: int) -> Iterator[
                     name: [campaign.grid[name][position] for position in column]
                     for name, column in zip(slow, places, strict=True)
                 }
-                yield Chunk(campaign.kind_name, campaign.settings, columns, {fast: wanted})
+                yield Chunk(campaign.file.kind, campaign.settings, columns, {fast: wanted})
 
 
 def _groups(rows: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:

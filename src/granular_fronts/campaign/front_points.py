@@ -12,7 +12,7 @@ import numpy as np
 
 from granular_fronts.arguments import double_precision
 from granular_fronts.campaign.kinds import KINDS
-from granular_fronts.campaign.laws import law_at
+from granular_fronts.campaign.numbers import law_at
 from granular_fronts.campaign.points import REASON, groups_along, solve_groups
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.solve import evaluate_front, solve_front

@@ -17,7 +17,8 @@ import xarray as xr
 
 from granular_fronts.campaign.chunks import Chunk, locate
 from granular_fronts.campaign.definition import Campaign
-from granular_fronts.campaign.kinds import KINDS, Solved
+from granular_fronts.campaign.kinds import KINDS
+from granular_fronts.campaign.points import Solved
 from granular_fronts.output.datasets import DatasetError, read_dataset
 
 SOLVED, FAILED = 0, 1
@@ -54,8 +55,8 @@ def merge_chunks(campaign: Campaign, files: list[Path]) -> xr.Dataset:
     coordinates = _profile_coordinate(kind, campaign.settings["profile"])
     sizes = [len(campaign.grid[axis]) for axis in campaign.axes]
     axes = {
-        axis: (axis, list(campaign.grid[axis]), {"long_name": kind.parameters[axis].meaning})
-        for axis in campaign.axes
+        axis: (axis, list(campaign.grid[axis]), {"long_name": meaning})
+        for axis, meaning in campaign.axes.items()
     }
     merged = xr.Dataset(coords=coordinates | axes)
     for name, value in gathered.values.items():
@@ -66,7 +67,7 @@ def merge_chunks(campaign: Campaign, files: list[Path]) -> xr.Dataset:
         merged[name] = ([*campaign.axes, *along], value.reshape(shape), attributes)
     _add_status(merged, campaign, gathered.reasons.reshape(sizes), gathered.texts)
     merged.attrs = {
-        "kind": campaign.kind_name,
+        "kind": campaign.file.kind,
         "points": campaign.size,
         "failed_points": int(np.sum(gathered.reasons > 0)),
         "chunks": len(files),
@@ -123,7 +124,7 @@ def _read_chunk(file, campaign):
     """Return the dataset of a chunk, and where its points lie on the grid."""
     data = read_dataset(file, scene_id=file.stem)
     chunk = Chunk(**json.loads(data.attrs["config"]))
-    if (chunk.kind, chunk.settings) != (campaign.kind_name, campaign.settings):
+    if (chunk.kind, chunk.settings) != (campaign.file.kind, campaign.settings):
         raise DatasetError(
             f"{file} was solved with other settings than campaign {campaign.name} has: "
             "delete it and run the workflow again."
@@ -146,9 +147,9 @@ def _add_status(merged, campaign, reasons, texts):
         "flag_meanings": "solved failed",
     }
     status = np.where(reasons > 0, FAILED, SOLVED).astype(np.int8)
-    merged["status"] = (campaign.axes, status, flags)
+    merged["status"] = ([*campaign.axes], status, flags)
     numbered = {"long_name": "number of the sentence in reason_text"}
-    merged["reason"] = (campaign.axes, reasons.astype(np.int32), numbered)
+    merged["reason"] = ([*campaign.axes], reasons.astype(np.int32), numbered)
     merged["reason_text"] = ("sentence", texts, {"long_name": "why a point failed"})
 
 

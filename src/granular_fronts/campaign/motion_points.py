@@ -13,7 +13,7 @@ import functools
 
 from granular_fronts.accuracy import Estimate, recorded
 from granular_fronts.campaign.kinds import KINDS
-from granular_fronts.campaign.motion_scenes import scene_at
+from granular_fronts.campaign.numbers import with_numbers
 from granular_fronts.campaign.points import single_points, solve_groups
 from granular_fronts.chain.experiment import pulses, time_of_flight
 from granular_fronts.chain.simulate import ERROR_METHOD, simulate_chain
@@ -26,7 +26,7 @@ def solve_chunk(points, settings, activity):
         {} if beads is None else {"velocity": (beads.size,)}
     )
     groups = (
-        (index, functools.partial(_measure, scene_at(settings["scene"], point), beads))
+        (index, functools.partial(_measure, with_numbers(settings["scene"], point), beads))
         for index, point in single_points(points)
     )
     shape = next(iter(points.values())).shape

@@ -1,14 +1,23 @@
 """The points of a chunk solved group by group; a group that fails leaves a reason."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import NamedTuple
 
 import numpy as np
 from tqdm.auto import tqdm
 
-from granular_fronts.campaign.kinds import Solved
 from granular_fronts.errors import InputError, SolveError
 
 REASON = "reason"
+
+
+class Solved(NamedTuple):
+    """The answer of a kind to the points of a chunk, arrays of shape (lines, fast[, profile])."""
+
+    values: dict[str, np.ndarray]  # NaN at points that failed
+    reasons: np.ndarray  # why a point failed, a text; empty where it is solved
+    errors: dict[str, float]  # estimate of the largest absolute error, or NaN
+    error_method: str
 
 
 def solve_groups(

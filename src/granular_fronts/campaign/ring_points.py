@@ -14,7 +14,7 @@ import functools
 import numpy as np
 
 from granular_fronts.arguments import double_precision
-from granular_fronts.campaign.kinds import KINDS
+from granular_fronts.campaign.kinds import KINDS, MOST_HALF_BEADS
 from granular_fronts.campaign.points import groups_along, solve_groups
 from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.errors import InputError
@@ -91,11 +91,10 @@ def _half_beads(point, scaling):
         return int(point["half_beads"])
     wanted = point["half_length"]
     half_beads = max(2, round(wanted / scaling.epsilon + 0.5))
-    most = KINDS["ring"].parameters["half_beads"].most
-    if half_beads > most:
+    if half_beads > MOST_HALF_BEADS:
         raise InputError(
-            f"half_length is {wanted:g}, which asks for p = {half_beads:.3g}, above {most:g}: "
-            "shorten the ring, raise alpha or lower the damping."
+            f"half_length is {wanted:g}, which asks for p = {half_beads:.3g}, above "
+            f"{MOST_HALF_BEADS:g}: shorten the ring, raise alpha or lower the damping."
         )
     found = scaling.half_length(half_beads)
     if abs(found - wanted) > LENGTH_TOLERANCE * wanted:

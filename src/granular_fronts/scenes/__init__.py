@@ -1,1 +1,1 @@
-"""What a user asks for: schema, YAML files, constraints, sizes; nothing here computes."""
+"""What a user asks for: parts, YAML files, sentences, sizes; nothing here computes."""

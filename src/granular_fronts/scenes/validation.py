@@ -7,10 +7,11 @@ from granular_fronts.errors import InputError
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.front import Front
 from granular_fronts.scenes.orbit import Orbits
+from granular_fronts.scenes.parts import Part
 from granular_fronts.scenes.ring import Ring
-from granular_fronts.scenes.sentences import Scene
+from granular_fronts.scenes.sentences import read_part
 
-SCENES: dict[str, type[Scene]] = {
+SCENES: dict[str, type[Part]] = {
     "chain": Chain,
     "heteroclinic": Orbits,
     "periodic": Ring,
@@ -25,7 +26,7 @@ def check_scene(family: str, scene: Mapping[str, Any], name: str) -> Any:
     `family` is a key under ``scenes`` of the configuration, and `name` what the sentences of an
     InputError call the scene.
     """
-    return SCENES[family].read(scene, name)
+    return read_part(SCENES[family], scene, f"Scene {name}: ")
 
 
 def raise_if_any(sentences: Sequence[str]) -> None:
