@@ -118,7 +118,12 @@ def one_or_more(one: Any) -> BeforeValidator:
 
 Value = TypeVar("Value")
 Several = Annotated[tuple[Value, ...], BeforeValidator(_listed)]
-Distinct = Annotated[tuple[Value, ...], BeforeValidator(_listed), AfterValidator(_distinct)]
+Distinct = Annotated[
+    tuple[Value, ...],
+    BeforeValidator(_listed),
+    AfterValidator(_distinct),
+    Field(json_schema_extra={"uniqueItems": True}),
+]
 Listed = Annotated[Distinct[Value], Field(min_length=1)]
 Pair = Annotated[tuple[Value, Value], BeforeValidator(_paired)]
 
