@@ -16,7 +16,7 @@ from granular_fronts.chain.state import ELASTIC_SLOPES, FORCE, ROWS_OF_PAIR, VAL
 from granular_fronts.errors import InputError
 from granular_fronts.model.passes import row_parameters
 from granular_fronts.numerics.runge_kutta import LONG
-from granular_fronts.scenes.chain import read_chain
+from granular_fronts.scenes.chain import Chain
 
 FASTEST_SCALAR_CODE = 3.0
 """Over the time of a vectorised square root; a stage takes 1.0 to 1.7 times as long with a root,
@@ -169,7 +169,7 @@ def test_a_record_has_room_for_eight_kinks_and_eight_parameters(monkeypatch):
         compile_law(law(9), None)
     monkeypatch.setattr(chain_run, "row_parameters", lambda *_: np.ones(9))
     with pytest.raises(InputError, match=r"has 9 parameters .* room for 8"):
-        make_chain(law(0), make_boundary(read_chain(pulse(LAWS["hertz"]))), np.ones(3), np.ones(3))
+        make_chain(law(0), make_boundary(Chain.read(pulse(LAWS["hertz"]))), np.ones(3), np.ones(3))
 
 
 @pytest.mark.timing
@@ -182,7 +182,7 @@ def test_inner_loops_are_vector_code(terms):
     root = fastest(lambda: roots(u, result, 400), 7)
     chain, _ = make_chain(
         gf.make_law(alpha=1.5),
-        make_boundary(read_chain(pulse(LAWS["hertz"]))),
+        make_boundary(Chain.read(pulse(LAWS["hertz"]))),
         np.ones(3),
         np.ones(3),
     )

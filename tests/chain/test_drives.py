@@ -163,7 +163,7 @@ REFUSED = [
     (PUSH, "boundary.force is missing | External force"),
     (PUSH | {"force": {}}, "boundary.force is empty | half_sine"),
     (PUSH | {"force": float("inf")}, "boundary.force is inf | finite"),
-    (PUSH | {"force": 1.0e200}, "law.alpha is 1.5 | energies of about 1e+333"),
+    (PUSH | {"force": 1.0e200}, "law has alpha 1.5 | energies of about 1e+333"),
     (PUSH | {"force": {"square": SINE}}, "boundary.force.square is no key | pulse, half_sine"),
     (PUSH | {"force": {"harmonic": SINE | {"angular_frequency": 0}}}, "frequency is 0 | above 0"),
     (PUSH | {"force": {"harmonic": SINE, "pulse": {"height": 1, "duration": 1}}}, "give one"),

@@ -6,7 +6,7 @@ from chains import driven_scene, given
 from newton import solutions
 
 import granular_fronts as gf
-from granular_fronts.scenes.chain import read_chain
+from granular_fronts.scenes.chain import Chain
 
 STRIKER = {"kind": "striker", "beads": 1, "velocity": 1.0}
 REST = {"kind": "rest"}
@@ -20,7 +20,7 @@ SOON, ROUNDING = 1.0e-6, 1.0e-14
 
 def first_gap(scene):
     """Time and contact of the first opening."""
-    checked = read_chain(scene)
+    checked = Chain.read(scene)
 
     def opens(n):
         event = lambda t, state: state[n]  # noqa: E731 - SciPy wants an attribute of a function

@@ -14,7 +14,7 @@ from granular_fronts.continuum.log_burgers.solution import START_LEVELS, _smooth
 from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.errors import InputError, SolveError
 from granular_fronts.reference_methods import upwind
-from granular_fronts.scenes.ring import read_ring
+from granular_fronts.scenes.ring import Ring
 
 
 @functools.cache
@@ -27,7 +27,7 @@ def fine_ring(name, cells=4096):
 @pytest.mark.parametrize("floor", [1.0e-7, 1.0e-300, 0.0])
 def test_mean_is_kept_to_rounding_and_the_floor_holds(name, floor):
     solution = solve(
-        read_ring(scene_with(name, start__floor=floor)), 1.0, [45.0, 90.0], 512, 1.0e-5
+        Ring.read(scene_with(name, start__floor=floor)), 1.0, [45.0, 90.0], 512, 1.0e-5
     )
     assert solution.mean_drift < 2.0e-15
     assert min(row.min() for row in solution.averages) >= floor
@@ -86,8 +86,8 @@ def test_accuracy_asked_for_is_reached(name, error, cells, tolerance):
 
 def test_upwind_is_of_first_order_and_tends_to_the_finite_volumes():
     scene = scene_with(end_time=20.0)
-    scaling, half_length = read_ring(scene).scaling, read_ring(scene).half_length
-    points, start = [500, 1000, 2000], make_start(read_ring(scene).start)
+    scaling, half_length = Ring.read(scene).scaling, Ring.read(scene).half_length
+    points, start = [500, 1000, 2000], make_start(Ring.read(scene).start)
     runs = [
         upwind.evolve_upwind(
             start.values(upwind.grid(half_length, n), half_length),
@@ -97,7 +97,7 @@ def test_upwind_is_of_first_order_and_tends_to_the_finite_volumes():
         for n in points
     ]
     values = np.array([run.values[:: n // 500] for run, n in zip(runs, points, strict=True)])
-    exact = solve(read_ring(scene), 1.0, [20.0], 1024, 1e-7).rescaled_force(0, runs[0].xi)
+    exact = solve(Ring.read(scene), 1.0, [20.0], 1024, 1e-7).rescaled_force(0, runs[0].xi)
     errors = np.abs(values - exact).max(axis=1)
     assert_order(points, errors, 1.0, 0.2)
     assert np.abs(2.0 * values[2] - values[1] - exact).max() < 0.2 * errors[-1]
@@ -105,14 +105,14 @@ def test_upwind_is_of_first_order_and_tends_to_the_finite_volumes():
 
 def test_stationary_front_of_the_limit_stays_where_it_is():
     """A wide plateau ends in the front; in the moving frame the front recedes by τ exactly."""
-    scaling = read_ring(scene_with("hertz")).scaling
+    scaling = Ring.read(scene_with("hertz")).scaling
     xi = scaling.half_length(80) * np.linspace(-1.0, 1.0, 1025)
     rise = 1.0 / (1.0 + np.exp(-1.5 * (xi + 40.0)))
     force = np.maximum(log_burgers_front(xi - 20.0) * rise, 1e-12)
     force[-1] = force[0]
     scene = scene_with("hertz", start={"kind": "given", "rescaled_force": force}, end_time=15.0)
     near = np.linspace(13.0, 25.0, 200)
-    moved = solve(read_ring(scene), 1.0, [15.0], 2048, 1e-9).rescaled_force(
+    moved = solve(Ring.read(scene), 1.0, [15.0], 2048, 1e-9).rescaled_force(
         0, near - scaling.slow_rate * 15.0
     )
     np.testing.assert_allclose(moved, log_burgers_front(near - 20.0), rtol=0, atol=2.0e-7)
@@ -132,7 +132,7 @@ def test_equation_40_is_solved_through_its_steep_start():
     force = evolve_unlimited(scene)["rescaled_force"]
     assert force.attrs["error_estimate"] < 5.0e-5
     fine = solve(
-        read_ring(scene), 1.5, [0.5, 3.33], 1536, 1.0e-7, levels=START_LEVELS, smooth_cells=8.0
+        Ring.read(scene), 1.5, [0.5, 3.33], 1536, 1.0e-7, levels=START_LEVELS, smooth_cells=8.0
     )
     exact = np.array([fine.rescaled_force(row, force["xi"].values) for row in range(2)])
     assert np.abs(force.values - exact).max() < 2.0 * force.attrs["error_estimate"]
@@ -143,7 +143,7 @@ def test_datasets_state_an_error_that_holds():
     dataset = gf.evolve_log_burgers(scene)
     assert dataset["rescaled_force"].dims == ("t", "xi")
     times = np.asarray(scene["record"]["snapshots"])
-    fine = solve(read_ring(scene), 1.0, times, 4096, 1e-9)
+    fine = solve(Ring.read(scene), 1.0, times, 4096, 1e-9)
     exact = np.array([fine.rescaled_force(row, dataset["xi"]) for row in range(3)])
     error = np.abs(dataset["rescaled_force"].values - exact).max()
     estimate = dataset["rescaled_force"].attrs["error_estimate"]

@@ -27,7 +27,7 @@ from granular_fronts.continuum.log_kdv_burgers.fourier_waves import (
 )
 from granular_fronts.continuum.log_kdv_burgers.solution import follow, solve
 from granular_fronts.model.amplitude_scaling import gamma_for, make_slow_scales
-from granular_fronts.scenes.ring import read_ring
+from granular_fronts.scenes.ring import Ring
 from granular_fronts.studies.ring_against_equations import (
     bead_numbers,
     make_chain_scene,
@@ -186,12 +186,12 @@ def test_order_is_at_least_two_where_y_changes_sign():
 def test_without_dispersion_it_is_the_logarithmic_burgers_equation(name):
     """The same ring by sixth-order finite volumes."""
     scene = scene_with(name, end_time=30.0)
-    half_length = read_ring(scene).half_length
-    slow_time, start = read_ring(scene).scaling.slow_rate * 30.0, Plateau(10.0, 1e-7)
+    half_length = Ring.read(scene).half_length
+    slow_time, start = Ring.read(scene).scaling.slow_rate * 30.0, Plateau(10.0, 1e-7)
     equation = Equation(half_length, 1.0, 0.0, 1e-16)
     kept, _ = follow(equation, start, [slow_time], 1024, 1e-10, 4)
     x = points_of(half_length, 999)
-    accurate = log_burgers.solve(read_ring(scene), 1.0, [30.0], 2048, 1e-9).rescaled_force(
+    accurate = log_burgers.solve(Ring.read(scene), 1.0, [30.0], 2048, 1e-9).rescaled_force(
         0, x - slow_time
     )
     found = values_at(kept[0], half_length, x)
@@ -239,7 +239,7 @@ def bump_on_ring(alpha, mu):
 
 def errors_of_equations(alpha, mu):
     """Largest distance of the chain's y to that of (55), and to that of (41)."""
-    scene = read_ring(bump_on_ring(alpha, mu))
+    scene = Ring.read(bump_on_ring(alpha, mu))
     scales, end, half_length = scene.scaling, scene.end_time, scene.half_length
     xi = start_positions(scene, bead_numbers(scene))
     start, h = Given(scene.start.rescaled_force), 1e-5
@@ -273,7 +273,7 @@ def test_datasets_state_an_error_that_holds():
     np.testing.assert_allclose(force["xi"], -force["xi"][::-1], rtol=0, atol=1e-13)
     assert dataset.attrs["mu"] == pytest.approx(amplitude_of_chain(1.1, 0.12, 5.0).mu, rel=1e-13)
     assert dataset.attrs["mean_drift"] == 0.0
-    fine = solve(read_ring(scene), dataset["t"].values, 2048, 1e-8)
+    fine = solve(Ring.read(scene), dataset["t"].values, 2048, 1e-8)
     exact = np.array([fine.rescaled_force(row, dataset["xi"]) for row in range(3)])
     error = np.abs(force.values - exact).max()
     assert error <= 2.0 * force.attrs["error_estimate"] < 2e-4
@@ -296,8 +296,8 @@ def test_cut_off_of_the_logarithm_changes_less_than_the_tolerance():
 
 def test_refined_run_has_twice_the_points_at_all_times():
     scene, times = scene_with("weak"), [0.0, 3.0, 30.0]
-    coarse = solve(read_ring(scene), times, 256, 1e-4)
-    fine = solve(read_ring(scene), times, 512, 1e-5, coarser=coarse)
+    coarse = solve(Ring.read(scene), times, 256, 1e-4)
+    fine = solve(Ring.read(scene), times, 512, 1e-5, coarser=coarse)
     points = [[2 * (row.size - 1) for row in found.amplitudes] for found in (coarse, fine)]
     assert points == [[1024, 512, 256], [2048, 1024, 512]]
 
@@ -307,16 +307,16 @@ def test_error_of_long_steps_is_stated_too():
     scene = scene_with("weak", end_time=5.0, record__snapshots=[5.0])
     scene["equations"]["dispersive"] = {"cells": 512, "tolerance": 1e-3}
     force = gf.evolve_log_kdv_burgers(scene)["rescaled_force"]
-    exact = solve(read_ring(scene), [5.0], 1024, 1e-7).rescaled_force(0, force["xi"].values)
+    exact = solve(Ring.read(scene), [5.0], 1024, 1e-7).rescaled_force(0, force["xi"].values)
     error = np.abs(force.values[0] - exact).max()
     assert 0.9 * force.attrs["error_estimate"] < error < 1.2 * force.attrs["error_estimate"]
 
 
 def test_rows_do_not_depend_on_the_order_of_times():
-    scene = read_ring(scene_with("weak"))
+    scene = Ring.read(scene_with("weak"))
     forward, backward = (
-        solve(read_ring(scene), [5.0, 30.0], 256, 1e-5),
-        solve(read_ring(scene), [30.0, 5.0], 256, 1e-5),
+        solve(Ring.read(scene), [5.0, 30.0], 256, 1e-5),
+        solve(Ring.read(scene), [30.0, 5.0], 256, 1e-5),
     )
     xi = np.linspace(-20.0, 20.0, 30).reshape(5, 6)
     np.testing.assert_array_equal(forward.rescaled_force(1, xi), backward.rescaled_force(0, xi))
@@ -324,8 +324,8 @@ def test_rows_do_not_depend_on_the_order_of_times():
 
 def test_refined_run_halves_every_step():
     scene = scene_with("weak", end_time=20.0)
-    coarse = solve(read_ring(scene), [20.0], 128, 1e-4)
-    fine = solve(read_ring(scene), [20.0], 256, 1e-1, coarser=coarse)
+    coarse = solve(Ring.read(scene), [20.0], 128, 1e-4)
+    fine = solve(Ring.read(scene), [20.0], 256, 1e-1, coarser=coarse)
     ends, starts = np.array(coarse.step_ends), np.array(fine.step_ends[:-1])
     halves = 0.5 * np.diff(ends)[np.searchsorted(ends, starts, side="right") - 1]
     assert (np.diff(fine.step_ends) <= halves * (1.0 + 1e-9)).all()

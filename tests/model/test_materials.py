@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 import granular_fronts as gf
 from granular_fronts.errors import InputError
 from granular_fronts.model.materials import MATERIALS, UNITS, body_of
-from granular_fronts.scenes.chain import read_chain
+from granular_fronts.scenes.chain import Chain
 
 FREE = {"kind": "pressure", "left": 0.0, "right": 0.0}
 STEEL_WALL = {"kind": "wall", "left": 0.0, "material": "steel"}
@@ -91,7 +91,7 @@ def test_equal_spheres_are_the_uniform_chain():
 def test_a_ring_closes_with_the_contact_of_its_last_and_first_sphere():
     beads = {"count": 4, "cell": ["steel 9.5 mm", "ptfe 4.8 mm"]}
     scene = chain_of(beads, {"kind": "ring"}, start=given([0.1] * 4, [0.0] * 4))
-    [factor] = set(read_chain(scene).elastic.list)
+    [factor] = set(Chain.read(scene).elastic.list)
     unlike = gf.contact_stiffness("steel 9.5 mm", "ptfe 4.8 mm")
     assert factor == pytest.approx(unlike / gf.contact_stiffness(*2 * ["steel 9.5 mm"]))
 
@@ -107,7 +107,7 @@ def test_a_ring_closes_with_the_contact_of_its_last_and_first_sphere():
         ("steel 1e999 mm", {}, "has the diameter 1e999"),
         ("steel", {}, "without a diameter: give one, as in steel 9.5 mm"),
         ("9.5 mm steel", {}, "is no body | as in steel 9.5 mm"),
-        ("steel 5 mm", {"alpha": 2.0}, "law.alpha is 2: give alpha 1.5"),
+        ("steel 5 mm", {"alpha": 2.0}, "law has alpha 2: give alpha 1.5"),
         ("steel 5 mm", {"boundary": {"kind": "wall", "left": 0.0}}, "boundary.material is missing"),
         ("steel 5 mm", {"boundary": STEEL_WALL | {"material": "wood"}}, "'wood' is no material"),
         ("steel 5 mm", {"contacts": {"elastic": 2.0}}, "contacts.elastic is given"),

@@ -92,7 +92,7 @@ def test_unknown_module_is_refused():
 
 
 LOOPS = (
-    'code=code("study", described["function"].rpartition(".")[0])',
+    'code=lambda wildcards: digest_of("study", f"granular_fronts.{STUDIES[wildcards.study][0]}")',
     'code=code("figure_step", script_of(figure)), script=script_of(figure)',
     "code=code(solving)",
     '**table_params(table), script=script_file(TABLES[table]["script"])',

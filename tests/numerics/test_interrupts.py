@@ -40,9 +40,9 @@ import granular_fronts as gf
 from chains import driven_scene
 from granular_fronts.continuum.log_burgers.solution import solve
 from granular_fronts.continuum import compilation
-from granular_fronts.scenes.ring import read_ring
+from granular_fronts.scenes.ring import Ring
 
-RING = read_ring(compilation.RING)
+RING = Ring.read(compilation.RING)
 
 # All beads move from the start, and balances are kept.
 PRESSED = {{

@@ -34,7 +34,6 @@ from granular_fronts.output.statements import (
     scenes_of,
     verdict_on,
 )
-from granular_fronts.scenes.study import studies
 from granular_fronts.scenes.yaml_files import load_configuration, read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -261,10 +260,11 @@ STEPS = {
 def test_a_dataset_carries_its_scene_as_the_configuration_holds_it(name, tmp_path):
     """What is filled in would look like other parameters, and nothing would be judged."""
     reference = by_scene(SMOKE)[name]
+    dataset = tmp_path / f"{name}.nc"
     if name in STEPS:
-        STEPS[name](scene=reference, scene_id=name, dataset=tmp_path / "result.nc")
+        STEPS[name](scene=reference, scene_id=name, dataset=dataset)
     else:
-        study(name, reference, tmp_path / "result.nc", studies()[name]["function"])
-    with xr.open_dataset(tmp_path / "result.nc") as dataset:
+        study(reference, dataset, "studies.materials", "evaluate_materials")
+    with xr.open_dataset(dataset) as dataset:
         assert dataset.attrs["scene"] == name
         assert departures(json.loads(dataset.attrs["config"]), reference) == []

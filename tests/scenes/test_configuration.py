@@ -67,6 +67,13 @@ CHAIN_REFUSED = [
     ({"boundary": PISTON | {"ramp": -2}}, "boundary.ramp is -2 | limit 0"),
     ({f"{STEADY}beads": []}, "record.probes.steady.beads is empty"),
     ({"record__probes__Fig 1": PROBE}, '"Fig 1" in record.probes'),
+    ({"record__probes": {3: PROBE}}, "3 in record.probes is no usable name"),
+    ({"record__snapshots": {1.0, 2.0}}, 'record.snapshots is "{1.0, 2.0}" | give a list'),
+    ({"start": given([[0.1]] * 419)}, "start.relative_displacement (entry 1) is [0.1]"),
+    (
+        {"law": {"elastic": {"kind": "toda", "rate": [1]}}},
+        "elastic.rate is [1] | give a number",
+    ),
     ({"record__snapshots": [450, 450.0]}, "record.snapshots (entry 2) is 450.0"),
     # What ties keys together.
     ({"tolerance__relative": 9.0e-16}, "tolerance.relative is 9e-16 | 1e-15"),
@@ -85,7 +92,7 @@ CHAIN_REFUSED = [
         {"start": given([0.1] * 419), "boundary": {"kind": "ring"}},
         "start.relative_displacement has 419 numbers | 420",
     ),
-    ({"law__alpha": 0.8}, "law.alpha is 0.8, below 1"),
+    ({"law__alpha": 0.8}, "law has alpha 0.8, below 1"),
     ({"record__snapshots": [450, 2601]}, "record.snapshots (entry 2) is 2601 | end_time 2600"),
     ({"record__grid__step": 2700}, "record.grid.step is 2700 | end_time 2600"),
     ({f"{STEADY}stop": 9e3}, "record.probes.steady.stop is 9000 | end_time 2600"),
@@ -95,8 +102,8 @@ CHAIN_REFUSED = [
     ({"record__probes__grid": PROBE}, "probes.grid has"),
     ({"record__arrival_level": 1.5}, "record.arrival_level is 1.5 | below 1 where about 0.1"),
     ({"law__alpha": -1, "beads": 0}, "law.alpha is -1 | above 0\nbeads is 0 | limit 2"),
-    ({"law__alpha": 150}, "law.alpha is 150 | energies of about 1e-151 | 1e±140"),
-    ({"law__gamma": 1e141}, "law.gamma is 1e+141 | 1e±140"),
+    ({"law__alpha": 150}, "law has alpha 150 | energies of about 1e-151 | 1e±140"),
+    ({"law__gamma": 1e141}, "law has gamma 1e+141 | 1e±140"),
     # Sizes, as numbers that a mistake in their formula changes.
     ({"beads": 10**9}, "beads is 1000000000 and end_time is 2600 | 16,004 GiB | the 16 GiB"),
     ({f"{STEADY}step": 1.0e-9}, "record.probes.steady.step is 1e-09 | 53,644 GiB"),
@@ -194,6 +201,7 @@ SECTIONS_REFUSED = [
     ("precision.log_burgers.weak.reference.points", 9, "points is 9 | multiple of 2"),
     (BEADS, {"count": 9, "mass": {"taper": {"ratio": -1}}}, "ratio is -1 | above 0"),
     (BEADS, {"count": 1}, "beads.count is 1 | 2"),
+    (BEADS, {"count": 10**9, "cell": ["steel 9.5 mm"]}, "beads.count is 1000000000 | GiB"),
     (BEADS, {"count": 20, "mass": HEAVY}, "impurity is at 30 | there are 20"),
     # Sizes.
     ("scenes.front.underdamped.window.step", 1e-9, "window.step is 1e-09 | 8,047 GiB"),

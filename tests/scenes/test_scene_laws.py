@@ -171,11 +171,11 @@ def of(kind, **parameters):
         (scene(TODA), {"law": {"elastic": {"rate": 1}}}, "law.elastic.kind is missing"),
         (scene(TODA), {"law": {"viscous": {"kind": "none"}}}, "law.elastic is missing"),
         (scene(TODA), of("lennard_jones", distance=0.2), "boundary.left is 0.3 | 0.2 only"),
-        (scene(TODA), of("hertz", alpha=0.5), "law.alpha is 0.5, below 1"),
+        (scene(TODA), of("hertz", alpha=0.5), "law has alpha 0.5, below 1"),
         (
             scene(TODA),
             of("hertz", alpha=300),
-            "law.alpha is 300 | energies of about 1e-157 | 1e±140",
+            "law has alpha 300 | energies of about 1e-157 | 1e±140",
         ),
         (
             scene(TODA),

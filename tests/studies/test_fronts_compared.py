@@ -6,7 +6,7 @@ import pytest
 import granular_fronts as gf
 from granular_fronts.fronts.linear.floquet import compressed_chain_multipliers
 from granular_fronts.fronts.solve import evaluate_front, solve_front
-from granular_fronts.scenes.front import read_front
+from granular_fronts.scenes.front import Front
 from granular_fronts.studies.continuum_fronts import continuum_fronts
 from granular_fronts.studies.damping_map import map_plane
 from granular_fronts.studies.front_survey import distances, survey_fronts
@@ -28,7 +28,7 @@ SCENE = {
 
 def test_damping_of_a_front_is_that_of_its_frame():
     """γc, James (2021), eq. (30), with c of eq. (21)."""
-    assert read_front(SCENE).normalised_damping == pytest.approx(0.65 * 0.1**0.25, rel=1e-15)
+    assert Front.read(SCENE).normalised_damping == pytest.approx(0.65 * 0.1**0.25, rel=1e-15)
 
 
 @pytest.mark.parametrize(("alpha", "gamma"), [(1.1, 0.06), (1.5, 0.3), (3.0, 2.0)])

@@ -13,7 +13,7 @@ from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic
 from granular_fronts.reference_methods import half_step
 from granular_fronts.reference_methods.theta_method import integrate_from_rest
 from granular_fronts.reference_methods.upwind import evolve_upwind
-from granular_fronts.scenes.ring import read_ring
+from granular_fronts.scenes.ring import Ring
 
 EVERYTHING = {
     "snapshots": [0.0, 2.0, 4.0],
@@ -91,7 +91,7 @@ def log_burgers_in_time():
     scene, found = scene_with("hertz", half_beads=20, start__half_width=3), []
     for alpha in (1.0, 1.5):
         run = log_burgers.solve(
-            read_ring(scene), alpha, [6.0], 16, 1e-2, levels=1, smooth_cells=1.0
+            Ring.read(scene), alpha, [6.0], 16, 1e-2, levels=1, smooth_cells=1.0
         )
         found.append(run.averages[0])
     return found

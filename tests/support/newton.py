@@ -7,12 +7,12 @@ from scipy.integrate import solve_ivp
 
 from granular_fronts.chain import run
 from granular_fronts.chain.patterns import values_along
-from granular_fronts.scenes.chain import read_chain
+from granular_fronts.scenes.chain import Chain
 
 
 def newton(scene, rtol=1.0e-12, atol=1.0e-14):
     """u and velocity of all beads at the end of a scene, as `chains.last_state` has them."""
-    scene = read_chain(scene)
+    scene = Chain.read(scene)
     u, velocity = np.split(
         solutions(scene, rtol=rtol, atol=atol)[-1].y[:, -1], [scene.contact_count]
     )
@@ -29,7 +29,7 @@ def solutions(scene, **options):
 
     Contact n transmits T_n = κ_n F(u_n) + χ_n G'(u_n) u̇_n, and m_n ẍ_n = T_(n−1) − T_n + m_n g.
     """
-    scene = read_chain(scene)
+    scene = Chain.read(scene)
     law, boundary, gravity = scene.law, run.make_boundary(scene), scene.gravity
     count, contacts, drive = scene.beads.count, scene.contact_count, boundary.drive
     mass = values_along(scene.beads.masses(), count)

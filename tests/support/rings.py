@@ -7,7 +7,7 @@ import numpy as np
 from numpy.polynomial import Polynomial
 
 from granular_fronts.continuum.log_burgers.solution import solve
-from granular_fronts.scenes.ring import read_ring
+from granular_fronts.scenes.ring import Ring
 from granular_fronts.scenes.yaml_files import load_configuration
 
 CONFIGURATION = load_configuration(Path(__file__).parents[2] / "config" / "default.yaml")
@@ -48,7 +48,7 @@ def assert_order(sizes, errors, expected, within, scatter=0.05):
 
 def at_end(scene, alpha, cells, tolerance):
     """Cell averages at the end of a scene."""
-    return solve(read_ring(scene), alpha, [scene["end_time"]], cells, tolerance).averages[0]
+    return solve(Ring.read(scene), alpha, [scene["end_time"]], cells, tolerance).averages[0]
 
 
 def coarsen(averages, cells):

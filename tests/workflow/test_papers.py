@@ -51,7 +51,7 @@ def test_the_run_by_default_makes_nothing_of_a_paper(tmp_path):
     assert not [job for job in plan["all"] if "rosas_2007" in job]
     assert plan["papers/rosas_2007"] >= {
         "initiate_front scene: rosas_2007_weak",
-        "study_rosas_2007_fronts",
+        "study study: fronts/rosas_2007_fronts",
         "plot_rosas_2007_pulses",
         "tabulate_rosas_2007_statements",
         "check_rosas_2007",

@@ -17,7 +17,7 @@ import netCDF4
 import pytest
 import yaml
 from PIL import Image
-from projects import jobs_due, rules_due, snakemake, wait_for_job
+from projects import jobs_due, snakemake, wait_for_job
 
 from granular_fronts.output.datasets import read_dataset
 
@@ -26,6 +26,7 @@ pytestmark = pytest.mark.slow
 SMOKE = ["--configfile", "config/smoke.yaml"]
 SCENE = "initiation_underdamped"
 DATA = f"results/smoke/data/chain/{SCENE}.nc"
+SOLVED, ORBITS = f"initiate_front scene: {SCENE}", "compute_heteroclinic scene: front_profiles"
 FIGURE = f"results/smoke/figures/fig01_{SCENE}.png"
 # The chain is compiled and its file written within it; the file of the scene is larger.
 LARGEST_FILE = 60_000
@@ -166,18 +167,15 @@ WITHOUT_EFFECT = {
     "workflow/lib/step.py": "pass\n",
 }
 DUE_AND_NOT_DUE = {
-    "output/style.py": ("plot_fig01 plot_fig08", "initiate_front"),
-    "chain/strain.py": ("initiate_front plot_fig01", "compute_heteroclinic plot_fig08"),
-    "continuum/log_kdv_burgers/taylor.py": (
-        "compute_heteroclinic plot_fig08",
-        "initiate_front plot_fig01",
-    ),
+    "output/style.py": ({"plot_fig01", "plot_fig08"}, {SOLVED}),
+    "chain/strain.py": ({SOLVED, "plot_fig01"}, {ORBITS, "plot_fig08"}),
+    "continuum/log_kdv_burgers/taylor.py": ({ORBITS, "plot_fig08"}, {SOLVED, "plot_fig01"}),
     "studies/damping_regimes.py": (
-        "study_damping_regimes",
-        "study_materials study_survey initiate_front",
+        {"study study: laws/damping_regimes"},
+        {"study study: laws/materials", "study study: fronts/survey", SOLVED},
     ),
 }
-"""Rules that are due after a statement is appended to a file, and some that are not."""
+"""Jobs that are due after a statement is appended to a file, and some that are not."""
 
 
 def test_a_change_of_code_repeats_what_stands_on_it_and_nothing_else(finished):
@@ -185,14 +183,14 @@ def test_a_change_of_code_repeats_what_stands_on_it_and_nothing_else(finished):
 
     def due_after(name, appended):
         with changed_code(finished, name, appended):
-            return rules_due(snakemake("--dry-run", *SMOKE, folder=finished))
+            return jobs_due(*SMOKE, "--", "all", folder=finished)["all"]
 
     for name, words in WITHOUT_EFFECT.items():
         assert not due_after(name, words), name
     for name, (due, not_due) in DUE_AND_NOT_DUE.items():
         found = due_after(f"src/granular_fronts/{name}", "pass\n")
-        assert found >= set(due.split()), name
-        assert not found & set(not_due.split()), name
+        assert found >= due, name
+        assert not found & not_due, name
 
 
 def test_altered_number_is_refused(finished):

@@ -6,11 +6,8 @@ parameters.
 """
 
 from collections.abc import Mapping
-from functools import reduce
-from operator import getitem
 from typing import Any
 
-from granular_fronts.scenes.study import studies
 from papers import listed_in_papers, scenes_of_papers
 
 FAMILIES = {
@@ -24,12 +21,13 @@ FAMILIES = {
 
 def default_parameters(configuration: Mapping[str, Any]) -> dict[str, Any]:
     """Return the parameters of each dataset of the default targets, from a merged configuration."""
+    groups = [(folder, configuration["scenes"][family]) for folder, family in FAMILIES.items()]
+    groups += [("fronts", configuration["exact_fronts"]), ("laws", configuration["laws"])]
     parameters = {
-        f"{folder}/{name}": scene
-        for folder, family in FAMILIES.items()
-        for name, scene in configuration["scenes"][family].items()
+        f"{folder}/{name}": one for folder, group in groups for name, one in group.items()
     }
-    return parameters | _of_studies(configuration)
+    exponents = configuration["front_exponents"]
+    return parameters | {"continuum/log_burgers_fronts": {"exponents": exponents}}
 
 
 def parameters_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
@@ -57,16 +55,6 @@ def parameters_of_papers() -> dict[str, Any]:
         f"{study['folder']}/{name}": study["parameters"]
         for name, study in listed_in_papers("studies").items()
     }
-
-
-def _of_studies(configuration: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the parameters of the datasets of studies."""
-    parameters = {}
-    for name, study in studies().items():
-        section = reduce(getitem, study["section"].split("."), configuration)
-        given = {study["argument"]: section} if "argument" in study else section
-        parameters[f"{study['folder']}/{name}"] = given
-    return parameters
 
 
 def precision_problems(configuration: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,9 +1,10 @@
 """Papers of others: each is a folder of ``papers`` whose `paper.yaml` adds to the lists.
 
-Its `scenes` are like those of config/default.yaml.  Its `studies`, `figures` and `tables` are like
-the files of these names in ``workflow``; a study carries its `parameters`.  Every name begins with
-that of the folder, so that no two papers share one. All is made on demand.  The folder
-``weak_damping`` is about no paper, and has findings alone.
+Its `scenes` are like those of config/default.yaml.  Its `figures` and `tables` are like the files
+of these names in ``workflow``.  Its `studies` have the `folder` of their dataset, a `function` of
+the package, the `kernels` that it needs, and its `parameters`.  Every name begins with that of the
+paper's folder, so that no two papers share one. All is made on demand.  The folder ``weak_damping``
+is about no paper, and has findings alone.
 """
 
 from collections.abc import Iterator

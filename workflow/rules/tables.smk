@@ -31,7 +31,7 @@ for table in [name for name, described in TABLES.items() if "script" in describe
 
 rule tabulate_fronts:
     input:
-        survey=rules.study_survey.output.dataset,
+        survey=data_file("fronts/survey"),
     output:
         properties_csv="<results>/tables/front_properties.csv",
         properties_markdown="<results>/tables/front_properties.md",

@@ -1,4 +1,4 @@
-"""Make the dataset of a study, one of those that workflow/studies.yaml or a paper lists."""
+"""Make the dataset of a study."""
 
 from importlib import import_module
 from pathlib import Path
@@ -7,23 +7,20 @@ from granular_fronts.output.datasets import write_dataset
 from step import run_step
 
 
-def study(study: str, section: dict, dataset: Path, function: str) -> None:
+def study(section: dict, dataset: Path, module: str, function: str) -> None:
     """Compute a study and write its data.
 
     Parameters
     ----------
-    study : str
-        Its name in the list.
     section : dict
         Its part of the configuration, the arguments of its function.
     dataset : Path
-        The netCDF file to write.
-    function : str
-        Place of what computes it.
+        The netCDF file to write, of the study's name.
+    module, function : str
+        What computes it, in the package.
     """
-    module, _, name = function.rpartition(".")
-    computed = getattr(import_module(module), name)(**section)
-    write_dataset(computed, dataset, scene_id=study, config=section)
+    computed = getattr(import_module(f"granular_fronts.{module}"), function)(**section)
+    write_dataset(computed, dataset, scene_id=dataset.stem, config=section)
 
 
 if __name__ == "__main__":

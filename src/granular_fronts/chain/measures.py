@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from granular_fronts.accuracy import Estimate, certain_sign, estimate, recorded, rounded
-from granular_fronts.scenes.chain import read_chain
+from granular_fronts.scenes.chain import Chain
 
 # A maximum of the mean compression counts if its prominence is this fraction of δ.
 PROMINENCE = 0.1
@@ -19,7 +19,7 @@ PROMINENCE = 0.1
 
 def scene_of(dataset):
     """Return the scene of a chain that a dataset was computed from."""
-    return read_chain(json.loads(dataset.attrs["config"]))
+    return Chain.read(json.loads(dataset.attrs["config"]))
 
 
 def _applied_displacement(dataset):

@@ -28,7 +28,7 @@ from granular_fronts.model.laws import Law
 from granular_fronts.model.passes import NEGLIGIBLE, row_map, row_parameters
 from granular_fronts.numerics.records import make_record
 from granular_fronts.numerics.runge_kutta import STAGES
-from granular_fronts.scenes.chain import Chain, Given, Striker, Tolerance, read_chain
+from granular_fronts.scenes.chain import Chain, Given, Striker, Tolerance
 from granular_fronts.scenes.sentences import read_part
 
 FIRST_STEP = 1.0e-6
@@ -70,7 +70,7 @@ class Run(NamedTuple):
 
 def prepare(scene: Mapping[str, Any] | Chain) -> Run:
     """Return the run of a scene, ready at t = 0."""
-    scene = read_chain(scene)
+    scene = Chain.read(scene)
     law = scene.law
     boundary, beads = make_boundary(scene), make_beads(scene)
     u, velocity = initial_state(scene, law, boundary, beads)

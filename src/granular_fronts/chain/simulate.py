@@ -27,7 +27,7 @@ from granular_fronts.chain.recording import Recorded, collect
 from granular_fronts.chain.run import integrate, integrate_in_halves, prepare, work_done
 from granular_fronts.errors import SolveError
 from granular_fronts.output.datasets import name_variables
-from granular_fronts.scenes.chain import Chain, Periodic, read_chain
+from granular_fronts.scenes.chain import Chain, Periodic
 
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
 ERROR_METHOD = "largest difference to a run that takes each step in two halves"
@@ -95,7 +95,7 @@ def simulate_chain(scene: Mapping[str, Any] | Chain, name: str = "given") -> xr.
     >>> round(motion["relative_displacement"].sel(t=20.0, bead=1).item(), 6)
     0.099168
     """
-    scene = read_chain(scene, name)
+    scene = Chain.read(scene, name)
     solution = solve(scene, activity=f"scene {name}, solving")
     refined = refine(scene, solution, f"scene {name}, estimating the error")
     return _with_error_estimates(scene, solution, refined)
@@ -103,7 +103,7 @@ def simulate_chain(scene: Mapping[str, Any] | Chain, name: str = "given") -> xr.
 
 def simulate_once(scene, name="given"):
     """Integrate like `simulate_chain`, but once, for measures with error estimates of their own."""
-    return solve(read_chain(scene, name), activity=f"scene {name}, solving").dataset
+    return solve(Chain.read(scene, name), activity=f"scene {name}, solving").dataset
 
 
 def solve(scene, tolerance=None, activity="solving"):
@@ -111,13 +111,13 @@ def solve(scene, tolerance=None, activity="solving"):
 
     The activity heads the progress line and the sentence of a failure.
     """
-    scene = read_chain(scene)
+    scene = Chain.read(scene)
     return _follow(scene, activity, integrate, tolerance or scene.tolerance)
 
 
 def refine(scene, solution, activity="estimating the error"):
     """Integrate a scene again, with two steps for each of a `Solution`; the rest as in `solve`."""
-    scene = read_chain(scene)
+    scene = Chain.read(scene)
     in_halves = functools.partial(integrate_in_halves, ends=solution.ends)
     return _follow(scene, activity, in_halves, scene.tolerance)
 

@@ -2,7 +2,7 @@
 
 from granular_fronts.continuum.log_burgers.solution import solve
 from granular_fronts.continuum.log_kdv_burgers.survey import survey_heteroclinic
-from granular_fronts.scenes.ring import read_ring
+from granular_fronts.scenes.ring import Ring
 
 RING = {
     "law": {"alpha": 1.5, "gamma": 0.24},
@@ -24,7 +24,7 @@ FRONTS = {
 
 def compile_kernels():
     """Compile every kernel, so that jobs which run side by side find them in the cache."""
-    ring = read_ring(RING)
+    ring = Ring.read(RING)
     for alpha in (1.0, ring.law.alpha):
         solve(ring, alpha, [0.1], 128, 1.0e-4)
     survey_heteroclinic(FRONTS)

@@ -24,7 +24,7 @@ from granular_fronts.continuum.log_burgers import solution as log_burgers
 from granular_fronts.continuum.log_kdv_burgers import solution as log_kdv_burgers
 from granular_fronts.errors import InputError
 from granular_fronts.output.datasets import name_variables
-from granular_fronts.scenes.ring import Ring, read_ring
+from granular_fronts.scenes.ring import Ring
 
 LOGARITHMIC, UNLIMITED, DISPERSIVE = "logarithmic", "unlimited", "dispersive"
 """Keys under `equations` of a scene: (50), the limit of (40); (40) itself; (55)."""
@@ -136,7 +136,7 @@ def evolve_log_kdv_burgers(scene: Mapping[str, Any] | Ring, name: str = "given")
 
 
 def _evolve(scene, name, equation):
-    scene = read_ring(scene, name)
+    scene = Ring.read(scene, name)
     resolution = getattr(scene.equations, equation)
     if resolution is None:
         raise InputError(

@@ -20,7 +20,7 @@ from granular_fronts.chain.simulate import ERROR_METHOD
 from granular_fronts.fronts.solitary_waves import solitary_wave
 from granular_fronts.referee.measurements import NAMES, read_motion
 from granular_fronts.referee.problems import ALPHA
-from granular_fronts.scenes.chain import read_chain
+from granular_fronts.scenes.chain import Chain
 
 LAST_BEADS = 3  # whose velocities at the end are listed
 
@@ -69,7 +69,7 @@ def states(motion):
 def _read_at(problem, factor):
     """Return the number that depends on the damping at a factor times γ, by both solutions."""
     law = problem.scene.law.with_damping(factor)
-    scene = read_chain(problem.scene.plain() | {"law": law}, problem.name)
+    scene = Chain.read(problem.scene.plain() | {"law": law}, problem.name)
     motions = refined_by(partial(simulate.refine, scene), simulate.solve(scene))
     return motions.map(lambda motion: read_motion(problem, *states(motion.dataset)))
 

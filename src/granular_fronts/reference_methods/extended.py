@@ -19,7 +19,7 @@ import numpy as np
 from granular_fronts.accuracy import with_refinement
 from granular_fronts.chain.run import make_beads
 from granular_fronts.errors import SolveError
-from granular_fronts.scenes.chain import Chain, Equilibrium, Given, Piston, Striker, read_chain
+from granular_fronts.scenes.chain import Chain, Equilibrium, Given, Piston, Striker
 
 REAL = np.longdouble
 PI = 4 * np.arctan(REAL(1))
@@ -161,7 +161,7 @@ class Motion:
                 f"numpy.longdouble has a significand of {np.finfo(REAL).nmant + 1} bits here and "
                 "64 are needed for a reference: measure the hard cases on an x86-64 machine."
             )
-        scene = read_chain(scene)
+        scene = Chain.read(scene)
         self.beads, boundary = scene.beads.count, scene.boundary
         self.forces, self.kinked = forces(scene.law.describe())
         self.ring, self.wall = (boundary.kind == kind for kind in ("ring", "wall"))

@@ -2,8 +2,8 @@
 
 import functools
 import math
-from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, ClassVar, Literal
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
@@ -32,7 +32,7 @@ from granular_fronts.scenes.parts import (
     name_entry,
     say,
 )
-from granular_fronts.scenes.sentences import Scene, read_part
+from granular_fronts.scenes.sentences import Scene
 
 RELATIVE_TOLERANCE_FLOOR = 1.0e-15
 """Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
@@ -413,11 +413,12 @@ class Chain(Scene):
     def held(self) -> Iterator[Held]:
         """Numbers that the motion holds at once, at least."""
         beads, record, end = float(self.beads.count), self.record, self.end_time
+        count = {"beads" if self.beads.are_equal else "beads.count": self.beads.count}
         numbers = (NUMBERS_PER_BEAD + COLUMNS_PER_ROW * len(record.snapshots)) * beads
-        yield Held({"beads": self.beads.count}, numbers)
+        yield Held(count, numbers)
         if record.grid:
             step = record.grid.step
-            asked = {"beads": self.beads.count, "end_time": end, "record.grid.step": step}
+            asked = {**count, "end_time": end, "record.grid.step": step}
             yield Held(asked, COLUMNS_PER_ROW * end / step * beads)
         for key, one in record.series().items():
             # A sensor needs the whole chain, since momentum and energy of all beads beyond count.
@@ -548,7 +549,7 @@ class Chain(Scene):
         if isinstance(boundary, WallBehind) and not wall:
             yield "boundary.material is missing: name the material of the wall, as in steel."
         if (alpha := exponent_of(self.law)) != 1.5:
-            found = "law has another potential" if alpha is None else f"law.alpha is {say(alpha)}"
+            found = "law has another potential" if alpha is None else f"law has alpha {say(alpha)}"
             yield (
                 f"beads names materials, which touch by Hertz's law, but {found}: give alpha 1.5, "
                 "or masses."
@@ -603,7 +604,7 @@ class Chain(Scene):
             smallest = min(start.relative_displacement, default=math.inf)
         if alpha is not None and alpha < 1 and smallest <= 0:
             yield (
-                f"law.alpha is {say(alpha)}, below 1, where contacts are infinitely stiff at the "
+                f"law has alpha {say(alpha)}, below 1, where contacts are infinitely stiff at the "
                 f"smallest relative displacement, {say(smallest)}: take alpha of 1 or more, or "
                 "compress all."
             )
@@ -633,8 +634,3 @@ class Chain(Scene):
                 f"{LARGEST_OVERSHOOT * driving:.3g} where about {driving:.3g} drives them: give "
                 f"{0.5 * driving:.3g}, half of a front."
             )
-
-
-def read_chain(given: Mapping[str, Any] | Chain, name: str = "given") -> Chain:
-    """Return a scene of a chain; an InputError calls it by its name."""
-    return read_part(Chain, given, f"Scene {name}: ")

@@ -1,7 +1,7 @@
 """Scenes of the family ``front``: an exact front and what approximates it, section 6."""
 
-from collections.abc import Iterator, Mapping
-from typing import Annotated, Any
+from collections.abc import Iterator
+from typing import Annotated
 
 from pydantic import Field
 
@@ -10,7 +10,7 @@ from granular_fronts.model.laws import make_law
 from granular_fronts.scenes.laws import LawOfOneExponent, decades, energy_problems
 from granular_fronts.scenes.memory import COLUMNS_PER_ROW, NUMBERS_PER_BEAD, Held, memory_problems
 from granular_fronts.scenes.parts import Positive, Range, Whole
-from granular_fronts.scenes.sentences import Scene, read_part
+from granular_fronts.scenes.sentences import Scene
 
 
 class Window(Range):
@@ -68,8 +68,3 @@ class Front(Scene):
         yield from (
             [*energy_problems(law, decades(self.displacement))] or memory_problems(self.held())
         )
-
-
-def read_front(given: Mapping[str, Any] | Front, name: str = "given") -> Front:
-    """Return a scene of a front; an InputError calls it by its name."""
-    return read_part(Front, given, f"Scene {name}: ")

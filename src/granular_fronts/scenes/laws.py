@@ -227,11 +227,10 @@ def energy_problems(law: Law, size: float) -> Iterator[str]:
     if math.isfinite(size):
         for name, found in decades_of_energy(law, size).items():
             if abs(found) > MOST_DECADES:
-                key = (
-                    f"law.{name} is {say(getattr(law, name))}, which"
-                    if law.is_power
-                    else f"law.{name}"
-                )
+                # An exponent may be given by either form of a law.
+                key = f"law.{name}"
+                if law.is_power:
+                    key = f"law has {name} {say(getattr(law, name))}, which"
                 yield (
                     f"{key} with relative displacements of about 1e{size:+.0f} makes energies of "
                     f"about 1e{found:+.0f}, beyond the 1e±{MOST_DECADES} that double precision can "
@@ -239,7 +238,7 @@ def energy_problems(law: Law, size: float) -> Iterator[str]:
                 )
     if law.is_power and law.gamma and abs(decades(law.gamma)) > MOST_DECADES:
         yield (
-            f"law.gamma is {say(law.gamma)}, beyond the 1e±{MOST_DECADES} that double precision "
+            f"law has gamma {say(law.gamma)}, beyond the 1e±{MOST_DECADES} that double precision "
             "can square: bring it nearer to 1, or give 0 for no damping."
         )
 

@@ -1,8 +1,7 @@
 """Scenes of the family ``heteroclinic``: fronts of equation (56), section 5.2."""
 
 import math
-from collections.abc import Iterator, Mapping
-from typing import Any
+from collections.abc import Iterator
 
 from pydantic import Field
 
@@ -19,7 +18,7 @@ from granular_fronts.scenes.parts import (
     say,
     step_problems,
 )
-from granular_fronts.scenes.sentences import Scene, read_part
+from granular_fronts.scenes.sentences import Scene
 
 GAUSSIAN_CENTRE = -2.0 * math.sqrt(0.5 + math.log(2.0))
 """The s of the maximum of the orbit for μ = 0, y = exp(½ − (s − centre)²/4) with y(0) = ½."""
@@ -137,8 +136,3 @@ class Orbits(Scene):
                     f"profile.{key} is {say(value)}, but for mu = {say(mu)} y falls below the "
                     f"smallest double at s = {limit:.2f}: choose one {side} it."
                 )
-
-
-def read_orbits(given: Mapping[str, Any] | Orbits, name: str = "given") -> Orbits:
-    """Return a scene of orbits; an InputError calls it by its name."""
-    return read_part(Orbits, given, f"Scene {name}: ")

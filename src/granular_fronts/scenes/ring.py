@@ -1,8 +1,8 @@
 """Scenes of the family ``periodic``: a ring and its amplitude equations, section 4.3."""
 
 import math
-from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, Literal
+from collections.abc import Iterator
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -26,7 +26,7 @@ from granular_fronts.scenes.parts import (
     name_entry,
     say,
 )
-from granular_fronts.scenes.sentences import Scene, read_part
+from granular_fronts.scenes.sentences import Scene
 
 EQUATION_TOLERANCE_FLOOR = 1.0e-13
 """Smallest error per step that the rounding of a rescaled variable of order 1 lets through."""
@@ -255,8 +255,3 @@ class Ring(Scene):
         for key, time in (times | {"grid.step": self.record.grid.step}).items():
             if time > self.end_time:
                 yield late_sentence(f"record.{key}", time, self.end_time)
-
-
-def read_ring(given: Mapping[str, Any] | Ring, name: str = "given") -> Ring:
-    """Return a scene of a ring; an InputError calls it by its name."""
-    return read_part(Ring, given, f"Scene {name}: ")

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from types import UnionType
-from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, Self, TypeVar, Union, get_args, get_origin
 
 import yaml
 from pydantic import ValidationError
@@ -87,6 +87,11 @@ class Scene(Part):
 
     # Pydantic itself makes scenes without it: `read_part` has sentences of its own.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
+
+    @classmethod
+    def read(cls, given: object, name: str = "given") -> Self:
+        """Return the scene of a mapping, or a scene itself; an InputError calls it by its name."""
+        return read_part(cls, given, f"Scene {name}: ")
 
 
 class _Place:
@@ -172,7 +177,13 @@ def _tags(kind: Any) -> tuple:
 
 def _sentences(error: ValidationError, root: type[Part], given: object) -> Iterator[str]:
     errors = error.errors(include_url=False)
+    nested = set()
     for details in errors:
+        if isinstance(details["input"], list) and isinstance(details["loc"][-1], int):
+            # Entries that are lists, as a column has them, are one mistake.
+            if details["loc"][:-1] in nested:
+                continue
+            nested.add(details["loc"][:-1])
         inside = [one for one in errors if one["loc"][: len(details["loc"])] == details["loc"]]
         if details["type"] == "too_short" and len(inside) > 1:
             continue  # Entries that are wrong themselves do not count for pydantic.

@@ -7,11 +7,10 @@ from granular_fronts.errors import InputError
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.front import Front
 from granular_fronts.scenes.orbit import Orbits
-from granular_fronts.scenes.parts import Part
 from granular_fronts.scenes.ring import Ring
-from granular_fronts.scenes.sentences import read_part
+from granular_fronts.scenes.sentences import Scene
 
-SCENES: dict[str, type[Part]] = {
+SCENES: dict[str, type[Scene]] = {
     "chain": Chain,
     "heteroclinic": Orbits,
     "periodic": Ring,
@@ -26,7 +25,7 @@ def check_scene(family: str, scene: Mapping[str, Any], name: str) -> Any:
     `family` is a key under ``scenes`` of the configuration, and `name` what the sentences of an
     InputError call the scene.
     """
-    return read_part(SCENES[family], scene, f"Scene {name}: ")
+    return SCENES[family].read(scene, name)
 
 
 def raise_if_any(sentences: Sequence[str]) -> None:

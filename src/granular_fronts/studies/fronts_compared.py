@@ -21,7 +21,7 @@ from granular_fronts.chain.simulate import simulate_chain, simulate_once
 from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.numerics.grids import regular_points
-from granular_fronts.scenes.front import read_front
+from granular_fronts.scenes.front import Front
 from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
 from granular_fronts.studies.continuum_fronts import continuum_fronts
 
@@ -60,7 +60,7 @@ def compare_front(scene, name="given"):
     NoFrontError
         If one of the two methods does not converge.
     """
-    scene = read_front(scene, name)
+    scene = Front.read(scene, name)
     alpha, gamma, window = scene.law.alpha, scene.normalised_damping, scene.window
     front, shot = (_solve(alpha, gamma, method, name) for method in ("profile", "shooting"))
     xi = regular_points(window.start, window.stop, window.step)

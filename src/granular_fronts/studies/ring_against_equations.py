@@ -36,7 +36,7 @@ from granular_fronts.continuum.evolution import (
 from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.numerics.grids import regular_points
 from granular_fronts.reference_methods import upwind
-from granular_fronts.scenes.ring import read_ring
+from granular_fronts.scenes.ring import Ring
 from granular_fronts.studies.chain_scenes import chain_scene, kuwabara_kono
 
 SITES_PER_BEAD = 5
@@ -67,7 +67,7 @@ def compare_with_chain(scene, name="given"):
     SolveError
         If a solver stops.
     """
-    scene = read_ring(scene, name)
+    scene = Ring.read(scene, name)
     dataset = simulate_chain(make_chain_scene(scene), name)
     for equation in (LOGARITHMIC, UNLIMITED):
         if getattr(scene.equations, equation):

@@ -18,7 +18,7 @@ from scipy.stats import linregress
 
 from granular_fronts.accuracy import Estimate, estimate, recorded, rounded
 from granular_fronts.chain.measures import last_fall
-from granular_fronts.scenes.ring import read_ring
+from granular_fronts.scenes.ring import Ring
 
 # What counts as a bump, relative to δ.
 NOTICEABLE = 0.01
@@ -29,7 +29,7 @@ CHAIN, EQUATION = "relative_displacement", "relative_displacement_logarithmic"
 
 def scene_of(dataset):
     """Return the scene of a ring that a dataset was computed from."""
-    return read_ring(json.loads(dataset.attrs["config"]))
+    return Ring.read(json.loads(dataset.attrs["config"]))
 
 
 def scales(dataset):

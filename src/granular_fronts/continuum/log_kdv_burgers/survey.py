@@ -32,7 +32,7 @@ from granular_fronts.continuum.log_kdv_burgers.heteroclinic import (
     turning_points,
 )
 from granular_fronts.numerics.grids import regular_points
-from granular_fronts.scenes.orbit import read_orbits
+from granular_fronts.scenes.orbit import Orbits
 
 # Extrema below this deviation from 1 are linear to round-off when ratios of them are taken.
 LINEAR = 1e-9
@@ -49,7 +49,7 @@ PORTRAIT_REFINEMENT = 100.0
 
 def survey_heteroclinic(scene, name="given"):
     """Return the fronts, their approach to (1, 0), and what else figure 8 shows; see the module."""
-    scene = read_orbits(scene, name)
+    scene = Orbits.read(scene, name)
     profile = scene.profile
     s = regular_points(profile.start, profile.stop, profile.step)
     parts = [survey_fronts(scene.mu, s)]

@@ -18,7 +18,7 @@ from granular_fronts.chain.run import (
 )
 from granular_fronts.numerics.runge_kutta import STAGES
 from granular_fronts.reference_methods import position_forms
-from granular_fronts.scenes.chain import read_chain
+from granular_fronts.scenes.chain import Chain
 from peers import diffrax_chain, lammps_chain, numbalsoda_chain, scilab_chain, scipy_chain
 from peers.chain_system import ChainSystem
 from peers.runs import Run, Stopwatch
@@ -80,7 +80,7 @@ def _run_strain_form(scene, tolerance):
 
 def _run_plain_form(form, scene, tolerance):
     """Run the same pair in (x, w) or (x, ẋ)."""
-    scene = read_chain(scene)
+    scene = Chain.read(scene)
     law, boundary = scene.law, make_boundary(scene)
     system, y = position_forms.pack(form, law, boundary, *initial_state(scene, law, boundary))
     absolute, end = ABSOLUTE_OVER_RELATIVE * tolerance, scene.end_time

@@ -22,7 +22,7 @@ from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.continuum.log_kdv_burgers.fourier_waves import Equation, values_at
 from granular_fronts.continuum.log_kdv_burgers.solution import follow
 from granular_fronts.reference_methods import upwind
-from granular_fronts.scenes.ring import read_ring
+from granular_fronts.scenes.ring import Ring
 from peers.runs import Run, Stopwatch
 from problems.problem import Problem, Reference
 
@@ -36,7 +36,7 @@ FOURIER_ORDER, FOURIER_LEVELS = 4, 4
 
 def make_problem(problem, _states=None):
     """Return one ring of ``precision.log_burgers`` with its `scene`."""
-    scene, fine = read_ring(problem["scene"]), problem["reference"]
+    scene, fine = Ring.read(problem["scene"]), problem["reference"]
     accurate = solve(scene, 1.0, [scene.end_time], fine["cells"], fine["tolerance"])
     independent = _run_fourier(scene, accurate, fine["points"], fine["longest_step"])
     error = float(np.abs(independent.fields["rescaled_force"]).max())
