@@ -50,8 +50,16 @@ def estimates(attrs=None, **variables):
 T, N = np.arange(11.0), np.arange(1, 9)
 VELOCITY = np.zeros((11, 8))
 VELOCITY[5:, -2], VELOCITY[9:, -2], VELOCITY[3, 2] = 3.0, 4.0, -0.25
+# Before the front has arrived.
+VELOCITY[1, -1] = -0.5
+# Contact 2 opens before the widest gap, contact 4 after it; -0.5e-3 of contact 6 is not certain.
+DISPLACEMENT = np.full((11, 8), 0.05)
+DISPLACEMENT[2, 1], DISPLACEMENT[9, 3], DISPLACEMENT[9, 5] = -0.5, -1.5e-3, -0.5e-3
+CROSSING = np.array([[1.1], [0.9], [0.8], [1.3], [1.2], [0.1]]) / 16
+LAW, TOLERANCE = kuwabara_kono(1.5, 0.1), (1e-9, 1e-11)
+CHAIN_SCENE = pressed_chain(LAW, 8, 10.0, TOLERANCE, {"snapshots": []}, 1 / 16)
 CHAIN = dataset(
-    pressed_chain(kuwabara_kono(1.5, 0.1), 8, 10.0, (1e-9, 1e-11), {"snapshots": []}, 1 / 16),
+    CHAIN_SCENE,
     front_speed=({}, 0.7),
     first_peak=({"bead": N}, np.where(N == 4, 0.09, 0.07)),
     largest_relative_displacement=({}, 0.08),
@@ -60,8 +68,29 @@ CHAIN = dataset(
     first_gap_time=({}, 5.0),
     total_velocity=({"t_grid": T}, 1.5 * T / 64),
     velocity_grid=({"t_grid": T, "bead": N}, VELOCITY),
-    velocity=({"t": [0.0], "bead": N}, [np.clip(1.5 - N / 4, 0, 1) / 32]),
+    relative_displacement_grid=({"t_grid": T, "bead": N}, DISPLACEMENT),
+    # It falls through v_p/2 twice, at beads 3/2 and 4.
+    velocity=({"t": [0.0], "bead": N}, [(N != 2) * np.clip(1.5 - N / 4, 0, 1) / 32]),
+    relative_displacement_steady=({"t_steady": None, "bead_steady": [3]}, CROSSING),
     arrival_time=({"bead": N}, N * 3 / 8),
+)
+# The mean compression has a period of 20 about half of δ, before a disturbance, or grows.
+LATER = np.arange(61.0)
+SWING = 0.5 - 0.25 * np.cos(2.0 * np.pi * LATER / 20.0) + 0.01 * (LATER > 50.0)
+SWINGING, RISING = (
+    dataset(CHAIN_SCENE, mean_relative_displacement=({"t_grid": LATER}, values / 16))
+    for values in (SWING, LATER / 60)
+)
+# A front of width 10 + t/10 runs to bead 50 until t = 100, and back.
+LONG, ALONG = np.arange(201.0), np.arange(1.0, 62.0)
+PLACE = 50.0 - 0.5 * abs(LONG - 100.0)[:, None]
+SPREADING = dataset(
+    CHAIN_SCENE,
+    arrival_time=({"bead": ALONG}, np.minimum(2.0 * ALONG, 100.0)),
+    relative_displacement_grid=(
+        {"t_grid": LONG, "bead": ALONG},
+        np.clip(0.5 - (ALONG - PLACE) / (10.0 + 0.1 * LONG[:, None]), 0.0, 1.0) / 16,
+    ),
 )
 
 LAWS = dataset(
@@ -76,6 +105,29 @@ LAWS = dataset(
     speed_exact=({"law": ["softening"]}, [-1.5]),
     speed_expected=({"law": ["softening"]}, [-2.0]),
 )
+# Hertz's force from −1 into rest, and an FPU force from 0 to 1, of the same power and speed.
+CASES = {
+    "hertz": {"elastic": {"kind": "hertz", "alpha": 1.5}, "states": [-1, 0]},
+    "fpu": {"elastic": {"kind": "fpu", "cubic": 3}, "states": [0, 1]},
+}
+
+
+def jumps(driven=(1.0, -2.0), direction=(1.0, -1.0), **ways):
+    """Fronts of two laws, with the speed 1 and −2 of theory, measured in different ways."""
+    described = {
+        "direction": direction,
+        "speed_expected": [1.0, -2.0],
+        "speed_expected_error": [0.01, 0.01],
+        "speed_driven": driven,
+        "speed_driven_error": [0.01, 0.03],
+    } | ways
+    laws = {"law": list(CASES)}
+    return dataset({"cases": CASES}, **{name: (laws, of) for name, of in described.items()})
+
+
+TRAVELLING = jumps(speed_travelling=[1.0, 1.5], speed_travelling_error=[1e-9, 3e-9])
+# Sound: (3/2)^(1/2) behind Hertz's front, which runs into 0; 7^(1/2) and 1 for FPU.
+SOUND, FAST = math.sqrt(1.5), math.sqrt(7.0)
 VELOCITIES = {"beta": [1.0, 1.5], "velocity_ratio": [0.01, 1.0, 100.0]}
 REGIMES = dataset(
     gamma=(VELOCITIES, [[0.1, 0.1, 0.1], [0.04, 0.2, 1.0]]),
@@ -111,6 +163,8 @@ FRONT = dataset(
     velocity_logarithmic=({"xi": [0.0]}, [0.0]),
 )
 FRONT["velocity_logarithmic"].attrs["distance"] = 0.3
+# Vertices of the parabolas through 1, 1.4, 1.2 and, behind the middle, 0.8, 0.6, 0.9.
+RIPPLED = dataset(velocity=({"xi": [-4, -3, -2, -1, 1, 2, 3]}, [0.8, 0.6, 0.9, 1, 1.4, 1.2, 0]))
 SHOT = [dataset(error=e, **dict.fromkeys(TWO_METHODS, ({}, 0.0))) for e in (3e-14, 1e-14)]
 for front, distance in zip(SHOT, (1e-14, 2e-14), strict=True):
     front["relative_displacement_shooting"].attrs["distance"] = distance
@@ -157,7 +211,13 @@ ORBITS = dataset(
     angular_frequency=({"mu": MU}, np.sqrt(np.maximum(1.0 - MU**2 / 4.0, 0.0))),
     angular_frequency_error=({"mu": MU}, np.full(5, 1e-6)),
 )
+# Behind a peak y falls and rises again, which does not count.
+PEAKED = ORBITS.sel(mu=[2.5, 3.0]).copy(deep=True)
+PEAKED["rescaled_force"][:, S < -5.0], PEAKED["rescaled_force"][:, S < -7.0] = 1.1, 0.5
+PEAKED["slope"][:, S < -7.0] = 9.0
 TABULATED = dataset(
+    flux=({"alpha": [1.5], "force": [0.0, 0.5, 1.0]}, [[0.0, 0.1, 0.5]]),
+    flux_limit=({"force": [0.0, 0.5, 1.0]}, [0.0, 0.3, 0.4]),
     front=({"alpha": [1.5], "xi": [0.0, 1.0, 2.0]}, [[1.0, 0.25, 0.0]]),
     front_limit=({"xi": [0.0, 1.0, 2.0]}, [1.0, 0.5, 0.0]),
 )
@@ -222,6 +282,35 @@ RINGS = dataset(
 LEADING = RINGS.assign(wrong=5.0 * RINGS["wrong"]).assign_attrs(RINGS.attrs)
 LEADING["wrong"].attrs = RINGS["wrong"].attrs
 
+# Errors of three equations are powers of ε, but for α = 3/2.
+EQUATIONS = {"logarithmic": 1.0, "unlimited": 0.9, "dispersive": 1.1}
+NEAR, OVER = np.array([1.01, 1.05, 1.1, 1.5]), np.array([0.01, 0.05, 0.1, 0.5])
+
+
+def orders(axis, values, more):
+    """Rings of a campaign whose orders are larger by `more`."""
+    places = {"slow_time": [1.0], axis: values, "alpha": NEAR}
+    rows = np.ones((1, len(values), 1))
+    errors = {
+        f"displacement_sup_{name}": (places, rows * (OVER ** (order + more) + (OVER > 0.4)))
+        for name, order in EQUATIONS.items()
+    }
+    return dataset(epsilon_of_ring=(places, rows * OVER), **errors)
+
+
+ORDERS = orders("damping", [0.3, 3.0], 0.0), orders("case", [0], 0.05).isel(case=0)
+# (55) is best up to γ = 0.2; (40) is best at 0.3, but all along from 0.8 on, where one ring is not
+# solved.
+GAMMA = np.array([0.1, 0.2, 0.3, 0.4, 0.8, 1.6])
+LOGARITHMIC, UNLIMITED = np.where(GAMMA == 0.4, 0.1, 0.9), np.where(GAMMA == 0.3, 0.1, 0.5 / GAMMA)
+MAP = np.stack([LOGARITHMIC, UNLIMITED, GAMMA])[..., None] * np.ones(4)
+MAP[1, -1, 0], MAP[2, :, 3] = np.nan, -9.0
+BEST = dataset(
+    **{
+        f"displacement_sup_{name}": ({"slow_time": [1.0], "gamma": GAMMA, "alpha": NEAR}, [errors])
+        for name, errors in zip(EQUATIONS, MAP, strict=True)
+    }
+)
 ONE_RING = {"error": "wrong", "mu": 2, "alpha": 1.1}
 
 # Papers of others.  Without damping 1, 2, 9/4 tends to 5/2, and one contact before to 3.
@@ -292,8 +381,27 @@ BY_HAND = [
     (chain.first_gap_time, CHAIN, {}, 5.0, 1e-3),
     (chain.smallest_relative_displacement, CHAIN, {}, -3.0, 1e-3),
     (chain.smallest_relative_displacement_time, CHAIN, {}, 7.0, 1e-3),
-    (chain.smallest_velocity, CHAIN, {}, -0.25, 1e-3),
+    (chain.smallest_velocity, CHAIN, {}, -0.5, 1e-3),
+    # At every other time no bead that the front has passed goes back.
+    (chain.smallest_velocity_behind, CHAIN, {}, -8.0, (0.25 + 1e-3) * 32),
+    (chain.crossings, CHAIN, {"bead": 3}, 3.0, 0.0),
+    (chain.openings, CHAIN, {}, 2.0, 0.0),
+    (chain.openings_after_the_widest_gap, CHAIN, {}, 1.0, 0.0),
+    (chain.peak_spread, CHAIN, {"beads": [2, 4, 8]}, 0.32, 2e-3 * 16),
     (chain.spacing_defect, CHAIN, {"beads": [2, 6, 8]}, 13 / 16, 2e-3 / 0.75),
+    (chain.mean_compression, SWINGING, {}, 0.5, ANY),
+    (chain.mean_compression, RISING, {}, math.nan, math.nan),
+    (
+        chain.middle_compression,
+        SWINGING,
+        {},
+        0.5,
+        0.25 * math.sin(0.05 * math.pi) * math.sin(0.45 * math.pi),
+    ),
+    (chain.middle_compression, RISING, {}, math.nan, math.nan),
+    (chain.thickening, SPREADING, {}, 27 / 22, ANY),
+    (chain.forward_thickening, SPREADING, {}, 18 / 13, ANY),
+    (chain.backward_over_forward_width, SPREADING, {}, 27 / 18, ANY),
     (chain.momentum_growth, CHAIN, {}, 1.5, 1e-3 * 64 / 10),
     (chain.velocity_front, CHAIN, {}, 4.0, ANY),
     # The last arrival is at 3; the larger gain, at 4.5, comes before twice that time.
@@ -327,9 +435,19 @@ BY_HAND = [
     (laws.persistence, WAVES, {"gamma": 0.0}, 1.5, 0.1 / 4 + 1.5 * 0.1 / 4),
     (laws.persistence, WAVES, {"gamma": 0.06}, 0.25, 0.1 / 2 + 0.25 * 0.1 / 2),
     (laws.spreading, WAVES, {"alpha": 1.0}, 2.0, 0.06),
+    (laws.worst_agreement, jumps((1.0, -2.12)), {"quantity": "speed"}, 3.0, ANY),
+    (laws.worst_agreement, jumps((1.01, -2.02)), {"quantity": "speed"}, 0.5, ANY),
+    (laws.sonic_margin, jumps(), {}, 1.0 - 1.0 / SOUND, 0.01 / SOUND),
+    (laws.sonic_margin, jumps((1.3, -2.0)), {}, 1.0 - 1.3 / SOUND, 0.01 / SOUND),
+    (laws.sonic_margin, jumps((1.0, -0.9)), {}, -0.1 / (FAST - 1.0), 0.03 / (FAST - 1.0)),
+    (laws.sonic_margin, jumps(direction=(-1.0, 1.0)), {}, -1.0 / SOUND, 0.01 / SOUND),
+    (laws.speed_spread, TRAVELLING, {"laws": ["hertz", "fpu"]}, 0.5, 6e-9),
+    (laws.speed_spread, TRAVELLING, {"laws": ["hertz"]}, 0.0, 2e-9),
     (laws.largest_relative_distance, POWERS, {"quantity": "power", "way": "exact"}, 1e-3, 5e-4),
     (fronts.force_overshoot, FRONT, {}, 1.728, 1.5 * 1.728 * 1e-3),
     (fronts.displacement_overshoot, FRONT, {}, 0.44, 1e-3),
+    (fronts.velocity_overshoot, RIPPLED, {}, 0.4 + 1 / 120, 1 / 120 + 1e-3),
+    (fronts.smallest_velocity_behind, RIPPLED, {}, 0.5975, 0.0025 + 1e-3),
     (fronts.dissipated_power, FRONT, {}, 0.1, 2e-3),
     (fronts.distance, FRONT, {"field": "velocity", "limit": "logarithmic"}, 0.3, 2e-3),
     (fronts.tail_over_long_wave, CURVES, {"alpha": 1.02}, 0.8, 8e-15),
@@ -349,6 +467,7 @@ BY_HAND = [
     (continuum.squared_slope_overdamped, ORBITS, {}, 2e-40, 1e-3),
     (continuum.squared_slope_underdamped, ORBITS, {}, 3.0, 1e-3),
     (continuum.largest_overdamped_slope, ORBITS, {}, -2.0, 2e-3 / 1e-6),
+    (continuum.smallest_steepness, PEAKED, {}, 2.0, 2e-3 / 1e-6),
     (continuum.gaussian_defect, ORBITS, {}, 0.25, 1e-3),
     (continuum.growth_rate, ORBITS, {"mu": 0.3}, 2.0, 1.0),
     (continuum.growth_rate, ORBITS, {"mu": 3.0}, 2.0, ANY),
@@ -356,6 +475,8 @@ BY_HAND = [
     (continuum.angular_frequency, ORBITS, {"mu": 1.0}, math.sqrt(0.75), 1e-6),
     # ω² = 1 − μ²/4, of which the largest error is 2 · 1 · 1e-6, falls by 1 per unit of μ.
     (continuum.transition, ORBITS, {}, 2.0, 2e-6),
+    (continuum.flux_distance, TABULATED, {"alpha": 1.5}, 0.2 * math.e, 0.1 * math.e + 1e-15),
+    (continuum.flux_distance, TABULATED, {"alpha": 1.5, "smallest": 0.7}, 0.1 * math.e, 1e-15),
     (continuum.profile_distance, TABULATED, {"alpha": 1.5}, 0.25, ANY),
     (ring.epsilon, SHOCKS, {}, 1.0, 2**-52),
     (ring.half_length, SHOCKS, {}, 19.5, 2**-48),
@@ -402,6 +523,10 @@ BY_HAND = [
         0.22,
         1.01e-4,
     ),
+    (rings.smallest_order, ORDERS, {}, 0.9, ANY),
+    (rings.largest_order, ORDERS, {}, 1.15, ANY),
+    (rings.best_up_to, BEST, {"error": "displacement_sup_dispersive"}, 0.2, 1e-12),
+    (rings.best_from, BEST, {"error": "displacement_sup_unlimited"}, 0.8, 1e-12),
     (tabulated, IMPACTS, ONE_IMPACT | {"name": "height"}, 4.0, 1e-3),
     (shocks.far_away, DISPERSIVE, {"name": "height", "ahead": 0.0}, 2.5, 1.003),
     (shocks.over_fitted, DISPERSIVE, {"name": "speed", "ahead": 0.5}, 7.5 / EDGE, 3.003 / EDGE),
@@ -469,21 +594,67 @@ BY_HAND = [
 @pytest.mark.parametrize(("measure", "data", "arguments", "value", "error"), BY_HAND)
 def test_measure_is_what_follows_by_hand(measure, data, arguments, value, error):
     found = measure(*(data if isinstance(data, tuple) else [data]), **arguments)
-    assert found.value == pytest.approx(value, rel=1e-12, abs=0.0 if value else 1e-15)
+    least = 0.0 if value else 1e-15
+    assert found.value == pytest.approx(value, rel=1e-12, abs=least, nan_ok=True)
     if error != ANY:
-        assert found.error == pytest.approx(error, rel=1e-9)
+        assert found.error == pytest.approx(error, rel=1e-9, nan_ok=True)
+
+
+def gaussian_orbit(defect=0.0, mu=0.0):
+    """The Gaussian, which is the orbit of μ = 0, with a wrong slope."""
+    s = np.arange(-8.0, 8.05, 0.1)
+    logarithm, axes = 0.5 - 0.25 * s**2, {"mu": [mu], "s": s}
+    y, wrong = np.exp(logarithm), 1.0 + defect
+    return dataset(
+        rescaled_force=(axes, [y]),
+        slope=(axes, [-0.5 * s * y * wrong]),
+        log_rescaled_force=(axes, [logarithm]),
+    )
+
+
+def test_residual_finds_an_orbit_that_is_none():
+    exact = continuum.residual_of_orbits(gaussian_orbit(), 0.0)
+    assert exact.value < 1e-7
+    assert exact.value == pytest.approx(exact.error, rel=0.1)
+    assert continuum.residual_of_orbits(gaussian_orbit(1e-3), 0.0).value > 1e-4
+    assert continuum.residual_of_orbits(gaussian_orbit(mu=0.1), 0.0).value > 0.05
+
+
+def profiles(chain, equation):
+    """Snapshots of a ring of 39 beads and of the equation, from functions of the site."""
+    at_beads, at_sites = ({axis: AT[axis] for axis in ("t", name)} for name in ("bead", "site"))
+    return dataset(
+        RING,
+        relative_displacement=(at_beads, [chain(AT["bead"])]),
+        relative_displacement_logarithmic=(at_sites, [equation(AT["site"])]),
+    )
+
+
+AT = {"t": [0.0], "bead": BEADS, "site": SITES}
+
+
+def test_profiles_of_one_shape_are_correlated():
+    def pulse(n):
+        return 5.0 * np.exp(-(((n - 20.0) / 6.0) ** 2))
+
+    alike = ring.profile_correlation(profiles(pulse, lambda n: 0.8 * pulse(n)))
+    assert alike.value == pytest.approx(1.0, abs=1e-12)
+    gap = ring.profile_correlation(profiles(lambda n: pulse(n) - 50.0 * (n == 1), pulse))
+    assert gap.value > 0.999
+    displaced = ring.profile_correlation(profiles(pulse, lambda n: pulse(n + 12.0)))
+    assert displaced.value < 0.3
 
 
 def test_every_measure_behind_a_statement_is_called_by_a_test():
-    """In the table above, or in one of the modules where a measure has data of its own."""
+    """In the table above, or by name: here, or where a measure has data of its own."""
     by_hand = {case[0] for case in BY_HAND}
     others = "".join(
-        (ROOT / "tests" / folder / f"test_{name}.py").read_text(encoding="utf-8")
-        for folder, name in [
-            ("output", "measures"),
-            ("studies", "impacts"),
-            ("studies", "ring_against_equations"),
-        ]
+        (ROOT / "tests" / f"{name}.py").read_text(encoding="utf-8")
+        for name in (
+            "chain/test_measures_by_hand",
+            "studies/test_impacts",
+            "studies/test_ring_against_equations",
+        )
     )
     files = [ROOT / f"config/{name}.yaml" for name in ("paper_numbers", "findings", "ring_limit")]
     for name in ("findings", "statements"):
