@@ -10,7 +10,6 @@ from scipy.integrate import solve_ivp
 import granular_fronts as gf
 from granular_fronts.model.collision import (
     LARGEST_STEP,
-    _reduced_exponent,
     _slow_strength,
     damping_for_restitution,
     log_restitution,
@@ -18,7 +17,8 @@ from granular_fronts.model.collision import (
 )
 
 ACCURACY = 1.0e-12
-EXPONENTS = [(1.5, 1.5), (1.5, 1.0), (1.5, 2.5), (1.1, 1.1), (3.0, 2.0), (0.5, 1.0), (2.0, 5.0)]
+EXPONENTS = [(1.5, 1.5), (1.5, 1.0), (1.5, 2.5), (3.0, 2.0), (0.5, 1.0), (2.0, 5.0)]
+by_exponents = pytest.mark.parametrize(("alpha", "beta"), EXPONENTS)
 
 
 def collide(force, damping):
@@ -37,14 +37,14 @@ def collide(force, damping):
     return -float(motion.y_events[0][0, 1])
 
 
-@pytest.mark.parametrize(("alpha", "beta"), EXPONENTS)
-@pytest.mark.parametrize("gamma", [0.01, 0.2, 0.5])
+@by_exponents
+@pytest.mark.parametrize("gamma", [0.01, 0.5])
 def test_agrees_with_the_equation_of_motion(alpha, beta, gamma):
     expected = collide(lambda u: u**alpha, lambda u: gamma * u**beta)
     assert gf.restitution(gamma, alpha, beta) == pytest.approx(expected, abs=1e-11)
 
 
-@pytest.mark.parametrize("gamma", [1.0e-3, 0.3, 1.0, 5.0, 200.0])
+@pytest.mark.parametrize("gamma", [1.0e-3, 1.0, 200.0])
 def test_simon_hunt_crossley_has_a_closed_form(gamma):
     """For β = α + 1 the reduced equation is linear: 1/G − e = (1 + 1/G) exp(−G(1 + e))."""
     alpha = 1.5
@@ -55,8 +55,8 @@ def test_simon_hunt_crossley_has_a_closed_form(gamma):
         assert abs(gf.restitution(gamma, alpha, alpha + 1.0) / exact - 1) < ACCURACY
 
 
-@pytest.mark.parametrize("beta", [1.0, 1.25, 2.0])
-@pytest.mark.parametrize("ratio", [1.0e-6, 0.1, 0.6, 0.99])
+@pytest.mark.parametrize("beta", [1.0, 2.0])
+@pytest.mark.parametrize("ratio", [1.0e-6, 0.6, 0.99])
 def test_degenerate_exponent_is_a_damped_oscillator(beta, ratio):
     alpha = 2.0 * beta - 1.0
     gamma = ratio / math.sqrt((alpha + 1.0) / 4.0)
@@ -68,25 +68,26 @@ def test_degenerate_exponent_is_a_damped_oscillator(beta, ratio):
     assert gf.restitution(1.001 * gamma / ratio, alpha, beta) == 0.0
 
 
-@pytest.mark.parametrize(("alpha", "beta"), EXPONENTS)
-@pytest.mark.parametrize("gamma", [1.0e-8, 0.05, 0.6, 3.0, 100.0])
-def test_smaller_steps_change_nothing(alpha, beta, gamma):
-    nu = _reduced_exponent(alpha, beta)
-    strength = 4.0 * gamma * ((alpha + 1.0) / 4.0) ** nu
-    one, two = (log_restitution(nu, strength, step) for step in (LARGEST_STEP, LARGEST_STEP / 3.0))
-    assert one == two or abs(one - two) < 5e-13 * max(1.0, abs(one))
+@by_exponents
+def test_smaller_steps_change_nothing(alpha, beta):
+    nu = beta / (alpha + 1.0)
+    for strength in (1.0e-8, 1.0, 300.0):
+        one, two = (
+            log_restitution(nu, strength, step) for step in (LARGEST_STEP, LARGEST_STEP / 3.0)
+        )
+        assert one == two or abs(one - two) < 5e-13 * max(1.0, abs(one))
 
 
-@pytest.mark.parametrize(("alpha", "beta"), EXPONENTS)
-@pytest.mark.parametrize("e", [1.0 - 1.0e-9, 0.99, 0.7, 0.3, 1.0e-3, 1.0e-9])
-def test_inverse_returns(alpha, beta, e):
-    gamma = damping_for_restitution(e, alpha, beta)
+@by_exponents
+def test_inverse_returns(alpha, beta):
     # Just below a finite γ at which e vanishes, γ alone does not determine a small e.
     tolerance = ACCURACY if beta > (alpha + 1.0) / 2.0 else 1.0e-9
-    assert gf.restitution(gamma, alpha, beta) == pytest.approx(e, rel=tolerance)
+    for e in (1.0 - 1.0e-9, 0.3, 1.0e-9):
+        gamma = damping_for_restitution(e, alpha, beta)
+        assert gf.restitution(gamma, alpha, beta) == pytest.approx(e, rel=tolerance)
 
 
-@pytest.mark.parametrize(("alpha", "beta"), EXPONENTS)
+@by_exponents
 def test_weak_damping_is_linear(alpha, beta):
     slope = weak_damping_slope(alpha, beta)
     dampings = np.array([1.0e-3, 1.0e-4])
@@ -105,7 +106,7 @@ def test_constant_of_remark_6():
         assert weak_damping_slope() == pytest.approx(float(exact), rel=1e-14)
 
 
-@pytest.mark.parametrize("nu", [0.505, 0.52, 0.6, 0.8, 1.0, 2.0])
+@pytest.mark.parametrize("nu", [0.505, 0.6, 2.0])
 def test_strong_damping_is_a_power_law(nu, monkeypatch):
     """Beyond the strength where it is assumed, the integration itself confirms it."""
     power = 1.0 / (2.0 * nu - 1.0)
@@ -123,7 +124,7 @@ def test_linear_dashpot_holds_the_beads_together():
     for gamma in (1.01 * threshold, 1.0, 1.0e3):
         assert gf.restitution(gamma, 1.5, 1.0) == 0.0
     # No trial step takes a power of a negative sine, and none overflows.
-    for gamma in (1.0, 100.0, 1e10, 1e300):
+    for gamma in (1.0, 1e300):
         assert gf.restitution(gamma, 100.0, 1.0) == 0.0
 
 
@@ -134,15 +135,8 @@ def test_restitution_falls_with_damping():
     assert damping_for_restitution(1.0) == 0.0
 
 
-@pytest.mark.parametrize(
-    ("collision", "sentence"),
-    [
-        # Impossible arguments of `restitution` are in `test_arguments`.
-        (lambda: damping_for_restitution(0.0), "e is 0.0, .* above 0 and at most 1"),
-        (lambda: damping_for_restitution(1.0001), "e is 1.0001, .* above 0 and at most 1"),
-        (lambda: damping_for_restitution(math.nan), "e is nan, .* above 0 and at most 1"),
-    ],
-)
-def test_impossible_collision_is_named(collision, sentence):
-    with pytest.raises(ValueError, match=sentence):
-        collision()
+@pytest.mark.parametrize("e", [0.0, 1.0001, math.nan])
+def test_impossible_restitution_is_named(e):
+    """Impossible arguments of `restitution` are in `test_arguments`."""
+    with pytest.raises(ValueError, match=rf"e is {e}, .* above 0 and at most 1"):
+        damping_for_restitution(e)

@@ -5,9 +5,7 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
-import sympy
 from potentials import NO_DISSIPATION, READY, fpu, hertz, lennard_jones, morse, toda
-from projects import ROOT
 
 import granular_fronts as gf
 from granular_fronts.model.jump_conditions import jump_conditions, signed_area
@@ -16,9 +14,9 @@ DIGITS = 60
 DASHPOT = {"kind": "linear", "gamma": 0.3}
 
 
-@pytest.mark.parametrize("alpha", [0.1, 0.5, 0.9, 1.1, 1.5, 3.0])
-@pytest.mark.parametrize(("k", "m", "delta"), [(1.0, 1.0, 0.1), (1.4e10, 0.08, 2.0e-6)])
-def test_hertz_gives_equations_21_to_23(alpha, k, m, delta):
+@pytest.mark.parametrize("alpha", [0.1, 0.9, 1.5, 3.0])
+def test_hertz_gives_equations_21_to_23(alpha):
+    k, m, delta = 1.4e10, 0.08, 2.0e-6
     front = jump_conditions(hertz(alpha, k), -delta, 0.0, mass=m)
     sign = 1 if alpha > 1 else -1
     speed = sign * math.sqrt(k / m) * delta ** ((alpha - 1) / 2)
@@ -40,12 +38,11 @@ def test_hertz_gives_equations_21_to_23(alpha, k, m, delta):
 
 
 @pytest.mark.parametrize("case", ["hertz 3/2", "toda", "morse", "lennard-jones"])
-@pytest.mark.parametrize("ahead", [-0.1, -1.0e-3, 0.0, 0.05])
-@pytest.mark.parametrize("jump", [0.05, 1.0e-3, 1.0e-6, 1.0e-9, 1.0e-12])
+@pytest.mark.parametrize(
+    ("ahead", "jump"), [(-0.1, 1e-3), (0.0, 1e-6), (0.0, 0.05), (-1e-3, 1e-12)]
+)
 def test_close_states_keep_their_digits(case, ahead, jump):
     potential, energy = READY[case]
-    if case == "hertz 3/2" and ahead > 0.0:
-        ahead = 0.25 * jump
     behind = ahead - jump
     front = jump_conditions(potential, behind, ahead)
     with mp.workdps(DIGITS):
@@ -96,22 +93,6 @@ def test_third_derivative_is_not_needed_for_states_far_apart():
     assert without.energy_per_bead == pytest.approx(front.energy_per_bead, rel=1e-14)
 
 
-def test_only_a_chain_at_rest_takes_the_power_that_the_page_on_findings_names():
-    page = (ROOT / "docs" / "findings.md").read_text(encoding="utf-8")
-    assert "A front of Hertz contacts that runs into a chain at rest loses the power" in page
-    at_rest, compressed, other = (
-        jump_conditions(law, *states).dissipated_power
-        for law, states in (
-            (hertz(1.5), (-1.0, 0.0)),
-            (hertz(1.5), (-1.0, -0.1)),
-            (toda(), (-1.0, 0.0)),
-        )
-    )
-    assert at_rest == pytest.approx(0.5 / 5.0, rel=1e-13)
-    assert compressed < 0.8 * at_rest
-    assert abs(other - at_rest) > 0.5 * at_rest
-
-
 def test_speed_does_not_depend_on_the_dissipation():
     elastic = hertz(1.5)
     free = jump_conditions(elastic, -0.1, 0.0)
@@ -152,11 +133,6 @@ def test_impossible_front_is_refused_with_its_theorem(
 ):
     with pytest.raises(ValueError, match=sentence):
         jump_conditions(potential, R_minus, R_plus, dissipation=dissipation)
-
-
-def test_what_is_no_potential_is_refused_with_the_way_to_one():
-    with pytest.raises(ValueError, match=r"law is r\*\*4, but must be a Mapping: .* make_law"):
-        jump_conditions(sympy.Symbol("r") ** 4, -1.0, 0.0)
 
 
 def test_nan_between_the_states_is_named():
