@@ -38,6 +38,12 @@ def test_a_chain_in_equilibrium_stays_at_rest(law):
     np.testing.assert_allclose(force, weight, rtol=1.0e-12)
 
 
+def test_a_chain_in_free_fall_moves_as_one():
+    """No contact is pressed, and the last of many beads has the velocity g t too."""
+    scene = driven_scene(beads=100, delta=0.0, end_time=3.0, gravity=0.1)
+    np.testing.assert_allclose(last_state(scene), np.repeat([0.0, 0.3], 100), atol=1.0e-14)
+
+
 def test_equilibrium_is_on_the_branch_that_begins_at_rest():
     """The force u − 2.2 u² + 1.3 u³ takes the value 0.12 at 0.1917, 0.4651 and 1.0356."""
     law = {"elastic": {"kind": "fpu", "cubic": 2.2, "quartic": 1.3}}
@@ -126,7 +132,7 @@ def test_contacts_that_differ_move_everywhere_where_all_are_compressed_alike(con
     """No contact is at rest though all have the compression of the right end."""
     held = {"kind": "pressure", "left": 0.5, "right": 0.5}
     start, record = given([0.5] * 99, [0.0] * 100), {"snapshots": [], "balances": True}
-    scene = driven_scene(0.1, 100, 5.0, contacts=contacts, boundary=held, start=start)
+    scene = driven_scene(0.0, 100, 5.0, contacts=contacts, boundary=held, start=start)
     drifts = solve(scene | {"record": record}).drifts
     assert drifts["momentum_drift"] < 1e-13
     assert drifts["energy_drift"] < 1e-12

@@ -22,7 +22,6 @@ from granular_fronts.chain.state import ROWS_OF_PAIR, ROWS_OF_SINGLE
 from granular_fronts.reference_methods import position_forms
 
 RING = Boundary(ring=True)
-LAWS = [(1.5, 1.5, 0.1), (1.5, 1.5, 0.0), (1.2, 1.2, 0.3), (1.5, 1.0, 0.2), (1.5, 2.5, 0.2)]
 
 
 def power_law(alpha, beta, gamma):
@@ -39,8 +38,17 @@ def fixed_steps(form, law, u, velocity, end_time, steps):
     return np.concatenate(position_forms.unpack(system, y))
 
 
-@pytest.mark.parametrize("form", ["strain", position_forms.XW, position_forms.XV])
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize(
+    ("form", "law"),
+    [
+        ("strain", (1.5, 1.5, 0.1)),
+        ("strain", (1.5, 2.5, 0.2)),
+        (position_forms.XW, (1.2, 1.2, 0.3)),
+        (position_forms.XW, (1.5, 1.0, 0.2)),
+        (position_forms.XV, (1.5, 1.5, 0.0)),
+        (position_forms.XV, (1.5, 2.5, 0.2)),
+    ],
+)
 def test_all_variables_converge_to_one_motion_at_order_eight(form, law):
     u, velocity = smooth_ring()
     law = power_law(*law)
@@ -131,7 +139,7 @@ def test_ring_scene_follows_fixed_steps(law, form, steps, error):
     np.testing.assert_allclose(found, fixed, rtol=0, atol=error)
 
 
-@pytest.mark.parametrize("relative", [1e-3, 1e-5, 1e-7, 1e-9])
+@pytest.mark.parametrize("relative", [1e-3, 1e-7])
 @pytest.mark.parametrize("end_time", [0.9, 3.0])
 def test_stated_error_of_a_short_motion_is_not_that_of_two_equal_runs(end_time, relative):
     """At first the steps grow as fast as they may, at one tolerance as at another."""

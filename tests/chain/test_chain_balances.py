@@ -7,45 +7,22 @@ from chains import driven_scene, ring_scene, smooth_ring
 import granular_fronts as gf
 from granular_fronts.chain import equations, run, state
 from granular_fronts.chain.balances import Balances
-from granular_fronts.chain.drives import make_drive
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.simulate import simulate_chain, solve
-from granular_fronts.scenes.chain import Piston
-from granular_fronts.scenes.drives import Piece
 from granular_fronts.studies.hard_cases.contact_cases import squeezed_chain
-
-RAMP = Piston(kind="piston", velocity=0.5, ramp=3.0)
 
 HERTZ = gf.make_law(alpha=1.5).elastic
 BALANCES = {"snapshots": [], "balances": True}
-
-
-def check_balances(scene, energy):
-    """Σẋ_n follows its law up to rounding and the energy up to the given share of its largest."""
-    solution = solve(scene)
-    assert solution.drifts["momentum_drift"] < 1.0e-14
-    assert solution.drifts["energy_drift"] < energy
-    return solution
-
-
-@pytest.mark.parametrize("beta", [1.0, 1.5, 2.5])
-@pytest.mark.parametrize("gamma", [0.0, 0.3])
-def test_pressure_balances_close(gamma, beta):
-    check_balances(driven_scene(gamma, beta=beta, record=BALANCES), 2.0e-13)
-
-
-def test_energy_balance_closes_through_contact_loss():
-    """The pressed end works while the last beads fly off."""
-    record = BALANCES | {"extremes": True}
-    solution = check_balances(driven_scene(end_time=250.0, record=record), 1.0e-13)
-    assert float(solution.dataset["first_gap_time"]) < 100.0
 
 
 @pytest.mark.parametrize(("alpha", "beta"), [(1.2, 1.2), (1.5, 1.0), (1.5, 2.5)])
 def test_balances_close_through_openings(alpha, beta):
     """A squeezed chain falls apart; W'' has roots or jumps there, the balances go on."""
     scene = squeezed_chain() | {"law": {"alpha": alpha, "beta": beta, "gamma": 0.06}}
-    assert check_balances(scene, 1.0e-12).counts["steps_cut_at_contacts"] > 0
+    solution = solve(scene)
+    assert solution.drifts["momentum_drift"] < 1.0e-14
+    assert solution.drifts["energy_drift"] < 1.0e-12
+    assert solution.counts["steps_cut_at_contacts"] > 0
 
 
 @pytest.mark.parametrize("ring", [True, False])
@@ -114,34 +91,6 @@ def test_rest_means_zero_velocity_and_not_zero_w():
     velocity = solve(scene).dataset["velocity"]
     assert np.abs(velocity.sel(t=0.0)).max() < 1.0e-17
     assert float(velocity.sel(t=1.0e-3, bead=1)) == pytest.approx(1.0e-3 * 0.1**1.5, rel=1.0e-3)
-
-
-@pytest.mark.parametrize(
-    "boundary",
-    [
-        Boundary(True),
-        Boundary(False, 0.3, 0.2),
-        Boundary(False, 0.0, 0.2, make_drive(RAMP.pieces()), piston=True),
-        Boundary(False, 0.0, 0.2, make_drive([Piece(0.0, 0.1)])),
-    ],
-    ids=["ring", "pressure", "piston", "force"],
-)
-def test_conversion_to_strain_form_and_back(boundary):
-    u, velocity = np.random.default_rng(1).normal(size=(2, 5, 30))
-    if not boundary.ring:
-        u[:, -1] = boundary.right
-    law = gf.make_law(alpha=1.5, gamma=0.4)
-    d = equations.strain_rates(velocity, u, boundary, law)
-    back = equations.velocities(d, u, boundary, law, velocity.sum(axis=-1, keepdims=True))
-    np.testing.assert_allclose(back, velocity, rtol=0, atol=2.0e-14)
-
-
-def test_rows_avoid_the_stride_that_evicts_the_cache():
-    for beads in range(2, 2000):
-        columns = state.make_table(1, beads).shape[1]
-        assert columns >= beads + 2
-        assert columns % 8 == 0
-        assert columns % 512 != 0
 
 
 def test_error_estimates_stand_beside_every_variable():

@@ -92,9 +92,7 @@ def by_pairs(masses, gaps):
 @pytest.mark.parametrize(
     ("masses", "gap", "count"),
     [
-        ((1, 1, 1), 40, 2),
         ((1, 1e-4, 1e-4), 40, 3),
-        ((3, 0.5, 3), 400, 5),
         ((1, 0.02, 1), 4000, 15),
     ],
 )
@@ -109,16 +107,7 @@ def test_three_beads_at_a_distance_collide_in_pairs(masses, gap, count):
     assert error < 2.0 * velocity.attrs["error_estimate"] < 1.0e-11
 
 
-def test_three_beads_with_flat_contacts_move_by_two_modes():
-    """ü_1 = u_2 − 2u_1 and ü_2 = u_1 − 2u_2 while both are pressed: frequencies 1 and √3."""
-    scene = free_scene(3, STRIKER, 1.5, law={"alpha": 1.0, "beta": 1.0, "gamma": 0.0})
-    slow, fast = np.sin(1.5), np.sin(1.5 * np.sqrt(3.0)) / np.sqrt(3.0)
-    expected = [0.5 * (slow + fast), 0.5 * (slow - fast)]
-    np.testing.assert_allclose(last_state(scene)[:2], expected, rtol=0, atol=1.0e-13)
-
-
-@pytest.mark.parametrize("step_of", ["mass", "stiffness"])
-@pytest.mark.parametrize("ratio", [4.0, 0.25])
+@pytest.mark.parametrize(("step_of", "ratio"), [("mass", 4.0), ("stiffness", 0.25)])
 def test_momentum_through_an_interface(step_of, ratio):
     """Of waves on springs 2Z'/(Z + Z') of the momentum passes, with impedances Z = (K m)^½.
 
@@ -187,11 +176,8 @@ def test_a_compressed_dimer_has_two_bands_and_a_gap():
 DIMER = {"cell": [1.0, LIGHT]}
 WALL = {"kind": "wall", "left": 0.0}
 UNLIKE = {
-    "dimer": {"mass": DIMER},
     "impurity": {"mass": {"impurity": {"bead": 4, "mass": 0.05}}},
-    "taper": {"mass": {"taper": {"ratio": 0.8}}},
     "light": {"mass": {"impurity": {"bead": 3, "mass": 1.0e-4}}, "end_time": 3.0},
-    "striker": {"mass": {"impurity": {"bead": 1, "mass": 3.0}}},
     "gravity": {"mass": DIMER, "boundary": WALL, "gravity": 0.05},
     "stiff wall": {"boundary": WALL, "contacts": {"elastic": {"impurity": STIFF}}},
     "damped": {"mass": DIMER, "contacts": {"elastic": {"cell": [1.0, 2.0]}}, "gamma": 0.1},

@@ -84,7 +84,7 @@ def free(law, u, velocity, end, relative=1e-9):
     return simulate_chain(scene | {"tolerance": tolerance, "record": record})
 
 
-@pytest.mark.parametrize("relative", [1e-5, 1e-9, 1e-14])
+@pytest.mark.parametrize("relative", [1e-5, 1e-14])
 def test_of_two_contacts_that_open_within_one_step_the_first_one_is_named(relative):
     """Contact 2 opens at 0.179797, contact 1 at 0.197058, neither at a kink."""
     data = free(TODA, [0.2, 0.2], [-1.0, 0.0, 1.1], 1.0, relative)
@@ -116,7 +116,7 @@ def test_equal_extremes_leave_time_uncertain_by_what_lies_between_them():
     assert data["largest_relative_displacement"].attrs["error_estimate"] < 1e-6
 
 
-@pytest.mark.parametrize("relative", [1e-2, 1e-4, 1e-6, 1e-9])
+@pytest.mark.parametrize("relative", [1e-2, 1e-6])
 def test_errors_of_early_and_short_motions_are_stated(relative):
     """Where steps grow as fast as they may the tolerance has no say in them."""
     record = {"snapshots": [0.5, 1.04], "grid": {"step": 0.26}, "arrival_level": 0.01}
@@ -243,11 +243,6 @@ def test_reductions_of_the_grid(motion):
     np.testing.assert_allclose(motion["mean_relative_displacement"], u / 24, rtol=0, atol=1e-16)
     exact = 0.1**1.5 * motion["t_grid"]
     np.testing.assert_allclose(motion["total_velocity"], exact, rtol=1e-13, atol=1e-13)
-
-
-def test_nothing_is_recorded_that_was_not_asked_for():
-    scene = driven_scene(end_time=20.0)
-    assert set(solve(scene, TIGHT).dataset) == {"relative_displacement", "velocity"}
 
 
 def test_speed_is_the_slope_of_the_middle_and_none_without_a_slope():

@@ -54,18 +54,13 @@ def last_state(scene):
     return np.concatenate([last["relative_displacement"], last["velocity"]])
 
 
-def take_fixed_steps(chain, table, h, steps):
-    """Fixed steps of a chain on all its beads, without output or events."""
-    for _ in range(steps):
-        try_step(chain, table, h, chain.beads, False)
-        take_slopes(chain, table, NEW_U, SLOT[NEW_SLOPE], chain.beads, False)
-        accept(chain, table, chain.beads)
-
-
 def integrate_strain_fixed(law, u, velocity, h, steps):
     """Fixed steps of the strain form on a ring; returns u and d of all beads."""
     chain, table = make_chain(law, Boundary(ring=True), u, velocity)
     integrator.begin(chain, table)
-    take_fixed_steps(chain, table, h, steps)
+    for _ in range(steps):
+        try_step(chain, table, h, chain.beads, False)
+        take_slopes(chain, table, NEW_U, SLOT[NEW_SLOPE], chain.beads, False)
+        accept(chain, table, chain.beads)
     inside = slice(1, u.size + 1)
     return table[U, inside].copy(), table[D, inside].copy()
