@@ -131,10 +131,6 @@ TYPES = {
 }
 LIMITS = {"exclusiveMinimum": ">", "minimum": "≥", "exclusiveMaximum": "<", "maximum": "≤"}
 UNITS = {"seconds": "s", "milliseconds": "ms", "metres": "m", "kilograms": "kg", "newtons": "N"}
-REPEATED = re.compile(
-    r" Optional\.$| (?:Range|Whole number,?)(?: above| \S+ [>≥]| \d+)? ?\d*(?: or more)?\."
-)
-"""What the columns beside the meaning say already."""
 
 MOST_NAMES = 6
 """Names that a type lists; more are in the example below."""
@@ -185,8 +181,7 @@ def table(found: list[Key], defaults: Any = None, within: str = "") -> list[str]
     for key in found:
         kind, named = type_of(key.part), re.search(r"in (\S+) \(SI\)", key.description)
         unit = UNITS.get(named[1], named[1]) if named else "1" if "number" in kind else ""
-        meaning = REPEATED.sub("", re.sub(r"[,;]? dimensionless(?=[.;])", "", key.description))
-        meaning = f"For kind `{key.kind}`: {meaning}" if key.kind else meaning
+        meaning = f"For kind `{key.kind}`: {key.description}" if key.kind else key.description
         cells = [f"`{key.path.removeprefix(within)}`", kind, default_of(key, defaults)]
         cells += [unit, meaning.replace("|", r"\|")]
         rows.append(f"| {' | '.join(cells)} |")

@@ -8,13 +8,19 @@ possible.  Both are kinds of `ValueError`.  A `NoSpaceError`, of a full disk, is
 
 import signal
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
 
 class InputError(ValueError):
     """An argument or a configuration that cannot be computed."""
+
+
+def raise_if_any(sentences: Sequence[str]) -> None:
+    """Raise an InputError of some sentences, one a line, if there are any."""
+    if sentences:
+        raise InputError("\n".join(sentences))
 
 
 class SolveError(ValueError):

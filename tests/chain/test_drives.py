@@ -12,8 +12,7 @@ from granular_fronts.chain.drives import make_drive
 from granular_fronts.chain.simulate import simulate_chain, solve
 from granular_fronts.chain.state import D, U
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.chain import Force, Piston
-from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.chain import Chain, Force, Piston
 
 TIMES, VALUES = [1.0, 2.5, 3.0, 6.0], [0.02, 0.1, -0.03, 0.05]
 PULSE = {"height": 0.1, "duration": 3.0, "offset": 0.01}
@@ -186,5 +185,5 @@ REFUSED = [
 @pytest.mark.parametrize(("boundary", "words"), REFUSED, ids=[words for _, words in REFUSED])
 def test_an_impossible_drive_is_refused_in_a_sentence(boundary, words):
     with pytest.raises(InputError) as caught:
-        check_scene("chain", driven_scene(boundary=boundary), "mine")
+        Chain.read(driven_scene(boundary=boundary), "mine")
     assert_refused(str(caught.value), words)

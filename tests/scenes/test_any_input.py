@@ -18,8 +18,9 @@ import granular_fronts as gf
 from granular_fronts.campaign.definition import check_campaign
 from granular_fronts.continuum.log_burgers.equation import flux, front_end
 from granular_fronts.errors import InputError
+from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.configuration import check_configuration
-from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.orbit import Orbits
 from granular_fronts.scenes.yaml_files import load_configuration
 
 DEFAULT = load_configuration(DEFAULT_FILE)
@@ -186,7 +187,7 @@ EDGES += [("end_time",), ("tolerance", "absolute")]
 @given(chains(), st.sampled_from(EDGES), edge_numbers)
 def test_chain_at_the_edges_of_the_schema_is_accepted_or_refused(parameters, path, value):
     scene = replaced(pressed_chain(*parameters), path, value)
-    assert_sentences(sentences(check_scene, "chain", scene, "mine"))
+    assert_sentences(sentences(Chain.read, scene, "mine"))
 
 
 dampings = st.sampled_from([0, 5e-324, 1e-290, 1e-12, 0.3, 2 - 1e-9, 2.0, 2 + 1e-9, 15.0])
@@ -198,7 +199,7 @@ ends = st.sampled_from([-56.7, -4.0, 0.0, 6.0, 52.4, 500.0, 1e300]) | st.floats(
 def test_orbit_is_refused_or_computed_and_its_energy_grows_as_it_should(mu, start, stop):
     """The energy z²/2 + W grows by μ ∫ z² ds, equation (56)."""
     profile = {"start": start, "stop": stop, "step": (stop - start) / 2000 or 1.0}
-    refused = sentences(check_scene, "heteroclinic", {"mu": [mu], "profile": profile}, "mine")
+    refused = sentences(Orbits.read, {"mu": [mu], "profile": profile}, "mine")
     if refused:
         return assert_sentences(refused)
     s = np.linspace(start, stop, 2001)

@@ -10,8 +10,9 @@ from configurations import SCENE, assert_refused, change, refusal, set_value
 
 from granular_fronts.errors import InputError
 from granular_fronts.scenes import memory
-from granular_fronts.scenes.configuration import check_configuration
-from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.chain import Chain
+from granular_fronts.scenes.configuration import SCENES, check_configuration
+from granular_fronts.scenes.orbit import Orbits
 
 PISTON = {"kind": "piston", "velocity": 0.05, "right": 0}
 
@@ -135,19 +136,19 @@ SCENES_REFUSED = [
 def test_impossible_scene_is_refused(default, family, name, changes, words):
     scene = change(default, family, name, **changes)["scenes"][family][name]
     with pytest.raises(InputError, match=r"^Scene mine: ") as caught:
-        check_scene(family, scene, "mine")
+        SCENES[family].read(scene, "mine")
     assert_refused(str(caught.value), words)
 
 
 @pytest.mark.parametrize("beads", [10**9, 10**13, {"count": 10**9, "cell": ["steel 9.5 mm"]}])
 def test_many_beads_are_refused_at_once_and_without_memory(default, beads):
     scene = change(default)["scenes"]["chain"][SCENE]
-    check_scene("chain", scene, "mine")
+    Chain.read(scene, "mine")
     scene["beads"] = beads
     tracemalloc.start()
     start = time.process_time()
     with pytest.raises(InputError, match="GiB of memory are needed, above the 16 GiB"):
-        check_scene("chain", scene, "mine")
+        Chain.read(scene, "mine")
     assert time.process_time() - start < 1.0
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
@@ -348,10 +349,10 @@ def test_single_scene_is_checked_under_its_own_name_and_may_hold_numpy_values(de
         boundary={"kind": "ring"},
         start={"kind": "given", "relative_displacement": np.ones(3), "velocity": np.zeros(3)},
     )["scenes"]["chain"][SCENE]
-    checked = check_scene("chain", scene, "mine")
+    checked = Chain.read(scene, "mine")
     assert checked.start.velocity == (0.0, 0.0, 0.0)
     assert type(checked.beads.count) is int
     with pytest.raises(InputError, match=r"^Scene mine: law\.gamma is -1"):
-        check_scene("chain", scene | {"law": scene["law"] | {"gamma": -1}}, "mine")
+        Chain.read(scene | {"law": scene["law"] | {"gamma": -1}}, "mine")
     orbit = {"mu": np.array([0.3]), "profile": {"start": -1, "stop": np.float64(1), "step": 0.5}}
-    assert check_scene("heteroclinic", orbit, "mine").mu == (0.3,)
+    assert Orbits.read(orbit, "mine").mu == (0.3,)

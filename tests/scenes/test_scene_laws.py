@@ -11,12 +11,13 @@ from potentials import cosh
 import granular_fronts as gf
 from granular_fronts.errors import InputError, SolveError
 from granular_fronts.output.datasets import configuration_of, read_dataset, write_dataset
+from granular_fronts.scenes.chain import Chain
+from granular_fronts.scenes.configuration import SCENES
 from granular_fronts.scenes.laws import (
     decades_of_energy,
     decades_of_impact,
     front_speed,
 )
-from granular_fronts.scenes.validation import check_scene
 
 TODA = {"elastic": {"kind": "toda"}, "viscous": {"kind": "linear", "gamma": 0.3}}
 SHORT = {"alpha": 1.5, "beta": 2.5, "gamma": 0.2}
@@ -93,10 +94,10 @@ def test_a_users_law_is_a_law_like_any_other():
 
 def test_a_mapping_may_hold_a_users_potential():
     mapping = {"elastic": cosh(), "viscous": {"kind": "proportional", "gamma": 0.2}}
-    checked = check_scene("chain", scene(mapping), "mine")
+    checked = Chain.read(scene(mapping), "mine")
     assert checked.law == gf.make_law(mapping)
     with pytest.raises(InputError, match=r"^Scene mine: law: 'lineal' is no kind of viscous"):
-        check_scene("chain", scene(mapping | {"viscous": {"kind": "lineal"}}), "mine")
+        Chain.read(scene(mapping | {"viscous": {"kind": "lineal"}}), "mine")
 
 
 def test_no_motion_leaves_the_interval_of_a_users_law_unnoticed():
@@ -203,22 +204,22 @@ def of(kind, **parameters):
 )
 def test_impossible_law_of_a_scene_is_refused(base, changes, words):
     with pytest.raises(InputError, match=r"^Scene mine: ") as caught:
-        check_scene("chain", base | changes, "mine")
+        Chain.read(base | changes, "mine")
     assert_refused(str(caught.value), words)
 
 
 def test_beta_is_alpha_by_default_in_every_family(default):
     """Rings and fronts take no other, since their equations hold for the law of Kuwabara–Kono."""
     bare, full = {"alpha": 1.5, "gamma": 0.2}, {"alpha": 1.5, "beta": 1.5, "gamma": 0.2}
-    laws = [check_scene("chain", scene(law), "mine").law for law in (bare, full)]
+    laws = [Chain.read(scene(law), "mine").law for law in (bare, full)]
     assert laws[0] == laws[1] == gf.make_law(bare)
     with pytest.raises(InputError, match=r"law\.beta is alpha by default, 0\.9, below its limit 1"):
-        check_scene("chain", scene(bare | {"alpha": 0.9}), "mine")
+        Chain.read(scene(bare | {"alpha": 0.9}), "mine")
     for family, name in (("periodic", "hertz"), ("front", "underdamped")):
         given = default["scenes"][family][name]
-        check_scene(family, given | {"law": full}, "mine")
+        SCENES[family].read(given | {"law": full}, "mine")
         with pytest.raises(InputError, match=r"law\.beta is 1, but .* beta = alpha = 1\.5"):
-            check_scene(family, given | {"law": full | {"beta": 1}}, "mine")
+            SCENES[family].read(given | {"law": full | {"beta": 1}}, "mine")
 
 
 @pytest.mark.parametrize(("velocity", "size"), [(1e-3, -3.0), (0.1, -2.0), (10.0, 1.0)])

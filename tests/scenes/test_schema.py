@@ -12,10 +12,9 @@ from jsonschema import Draft202012Validator
 from pydantic import ValidationError
 
 from granular_fronts.scenes.chain import Chain, Record
-from granular_fronts.scenes.configuration import Configuration
+from granular_fronts.scenes.configuration import SCENES, Configuration
 from granular_fronts.scenes.orbit import Orbits
 from granular_fronts.scenes.parts import Part
-from granular_fronts.scenes.validation import SCENES, check_scene
 from granular_fronts.scenes.yaml_files import load_configuration
 
 
@@ -59,8 +58,8 @@ def test_default_shows_every_optional_key():
 def test_a_scene_is_what_it_says_of_itself(family):
     """Its plain form, as a file holds it, makes it again; so do its keys as arguments."""
     for name, given in load_configuration(DEFAULT)["scenes"][family].items():
-        scene = check_scene(family, given, name)
-        assert check_scene(family, json.loads(json.dumps(scene.plain())), name) == scene
+        scene = SCENES[family].read(given, name)
+        assert SCENES[family].read(json.loads(json.dumps(scene.plain())), name) == scene
         assert SCENES[family](**given) == scene
         assert pickle.loads(pickle.dumps(scene)) == scene
         changed = next(iter(scene.model_fields_set))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from configurations import DEFAULT, SMOKE
 
-from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.ring import Ring
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies import ring_measures as measures
 from granular_fronts.studies.ring_against_equations import compare_with_chain, make_chain_scene
@@ -23,7 +23,7 @@ def compared():
 
 
 def test_ring_starts_as_the_paper_says():
-    scene = make_chain_scene(check_scene("periodic", SCENE, "weak"))
+    scene = make_chain_scene(Ring.read(SCENE, "weak"))
     u, velocity = (np.array(scene["start"][key]) for key in ("relative_displacement", "velocity"))
     assert u.size == 79
     assert u[39] == 5.0

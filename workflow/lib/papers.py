@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.validation import SCENES, check_scene
+from granular_fronts.scenes.configuration import SCENES
 from granular_fronts.scenes.yaml_files import read_yaml
 
 FOLDER = Path(__file__).parents[2] / "papers"
@@ -60,7 +60,7 @@ def _read_paper(file: Path) -> dict[str, Any]:
             raise InputError(f"{file} names {name}, but its names begin with {paper}_: rename it.")
     for family, scenes in listed["scenes"].items():
         for name, scene in scenes.items():
-            check_scene(family, scene, name)
+            SCENES[family].read(scene, name)
     place = {"on_demand": True, "folder": f"papers/{paper}"}
     for kind in ("figures", "tables"):
         listed[kind] = {name: one | place for name, one in listed[kind].items()}

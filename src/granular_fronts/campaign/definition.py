@@ -18,12 +18,11 @@ from pydantic_core import PydanticCustomError
 from granular_fronts.campaign.file import CampaignFile, Spacing
 from granular_fronts.campaign.kinds import KINDS, Kind
 from granular_fronts.campaign.numbers import with_numbers
-from granular_fronts.errors import InputError
+from granular_fronts.errors import InputError, raise_if_any
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.laws import AnyLaw
 from granular_fronts.scenes.parts import Part, say
 from granular_fronts.scenes.sentences import read_part
-from granular_fronts.scenes.validation import check_scene, raise_if_any
 from granular_fronts.scenes.yaml_files import read_yaml
 
 NAME = re.compile(r"[a-z][a-z0-9_]{0,99}(?<!_summary)")
@@ -169,7 +168,7 @@ def _corner_problems(file: CampaignFile, grid: Mapping[str, tuple]) -> Iterator[
             if file.law:
                 read_part(_Law, {"law": with_numbers(file.law.plain(), numbers)})
             if file.scene is not None:
-                _check_sensor(check_scene("chain", with_numbers(file.scene, numbers), "of a point"))
+                _check_sensor(Chain.read(with_numbers(file.scene, numbers), "of a point"))
         except InputError as error:
             found |= dict.fromkeys(str(error).splitlines())
     yield from found

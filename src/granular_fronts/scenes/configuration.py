@@ -5,11 +5,11 @@ import os
 import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from pydantic import Field
 
-from granular_fronts.errors import InputError
+from granular_fronts.errors import InputError, raise_if_any
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.front import Front
 from granular_fronts.scenes.hard_cases import HardCases
@@ -19,9 +19,8 @@ from granular_fronts.scenes.parts import Listed, Named, Part, Positive
 from granular_fronts.scenes.precision import Precision
 from granular_fronts.scenes.proofs import Proofs
 from granular_fronts.scenes.ring import Ring
-from granular_fronts.scenes.sentences import LONGEST_SHOWN, read_part
+from granular_fronts.scenes.sentences import LONGEST_SHOWN, Scene, read_part
 from granular_fronts.scenes.studies import ExactFronts, Exponent, Laws
-from granular_fronts.scenes.validation import SCENES, raise_if_any
 
 
 class Scenes(Part):
@@ -43,6 +42,12 @@ class Scenes(Part):
         description="Exact travelling fronts of the lattice and what approximates them, section 6; "
         "the key of a scene names its data file."
     )
+
+
+SCENES: dict[str, type[Scene]] = {
+    family: get_args(field.annotation)[1] for family, field in Scenes.model_fields.items()
+}
+"""What a scene is, by its family."""
 
 
 class Configuration(Part):
