@@ -8,7 +8,7 @@ from chains import driven_scene
 
 import granular_fronts as gf
 from granular_fronts.chain.simulate import solve
-from granular_fronts.errors import InputError
+from granular_fronts.fronts.linear import floquet
 from granular_fronts.fronts.linear.floquet import (
     compressed_chain_multipliers,
     front_multipliers,
@@ -19,7 +19,7 @@ from granular_fronts.fronts.linear.floquet import (
 from granular_fronts.fronts.shooting.solve import shoot_front
 
 WEAK, STRONG = (1.5, 0.06 * 0.1**0.25), (1.5, 0.65 * 0.1**0.25)
-LAWS = [(*WEAK, 1.5), (*STRONG, 1.5), (1.1, 0.24, 1.1), (3.0, 2.0, 3.0), (1.5, 0.3, 1.0)]
+LAWS = [(*WEAK, 1.5), (3.0, 2.0, 3.0), (1.5, 0.3, 1.0)]
 by_law = pytest.mark.parametrize(("alpha", "gamma", "beta"), LAWS)
 
 
@@ -115,7 +115,7 @@ def test_front_is_stable(alpha, gamma, beta):
     assert np.all(np.diff(np.abs(result.values[1:])) <= 1.0e-12)
 
 
-@pytest.mark.parametrize(("alpha", "gamma"), [WEAK, STRONG, (3.0, 0.1)])
+@pytest.mark.parametrize(("alpha", "gamma"), [WEAK, (3.0, 0.1)])
 def test_translation_defect_falls_with_the_window(alpha, gamma):
     front = solved(alpha, gamma, alpha)
     length = -int(shot(alpha, gamma, alpha).bead[0])
@@ -127,7 +127,7 @@ def test_translation_defect_falls_with_the_window(alpha, gamma):
     assert defects[2] < 1.0e-10
 
 
-@pytest.mark.parametrize(("alpha", "gamma"), [WEAK, STRONG, (3.0, 0.1)])
+@pytest.mark.parametrize(("alpha", "gamma"), [WEAK, (3.0, 0.1)])
 def test_largest_multiplier_is_that_of_reflected_sound(alpha, gamma):
     """B (1 − z) tends to the law of long waves, with an error that falls like 1/B."""
     errors = []
@@ -209,6 +209,24 @@ def test_compressed_chain_is_that_of_the_monodromy_matrix():
     np.testing.assert_allclose(moved[middle], z * wave[middle], rtol=0, atol=1.0e-13)
 
 
+@pytest.mark.parametrize(
+    ("values", "residual", "verdict"),
+    [
+        ([1.0, 0.9, 0.5], 1e-12, "no unstable multiplier found: "),
+        ([1.0, 1.2j, -1.1], 1e-12, "unstable: 2 multipliers"),
+        ([0.9, 0.5], 1e-12, "undecided: the multiplier of translation is 1.0e-01 away"),
+        ([1.0, 0.5], 1e-1, "undecided: flow and shift change the state by 1.0e-01"),
+    ],
+)
+def test_multipliers_are_judged(monkeypatch, values, residual, verdict):
+    """The state itself is a front, whatever its multipliers are said to be."""
+    monkeypatch.setattr(
+        floquet, "multipliers", lambda *_: (np.array(values), np.zeros(len(values)))
+    )
+    monkeypatch.setattr(floquet, "flow_residual", lambda *_: residual)
+    assert front_multipliers(solved(*STRONG, 1.5)).attrs["verdict"].startswith(verdict)
+
+
 def test_what_is_no_front_is_reported():
     front = solved(*STRONG, 1.5).copy()
     front["relative_displacement"] = front["relative_displacement"] ** 2
@@ -224,13 +242,6 @@ def test_unstable_state_shows_outside_the_circle():
     assert np.abs(values).max() > 1.01
 
 
-def test_coordinates_without_the_integers_are_refused():
-    front = solved(*STRONG, 1.5).copy()
-    shifted = front.assign_coords(xi=front["xi"] + 0.1)
-    with pytest.raises(InputError, match="whole number of points"):
-        front_multipliers(shifted)
-
-
 def test_reflection_radius_is_the_sound_round_trip():
     """z^(round trip) = (−1)·(reflection of the jump conditions)."""
     speed, beads = np.sqrt(1.5), 50
@@ -239,14 +250,13 @@ def test_reflection_radius_is_the_sound_round_trip():
     assert reflection_radius(1.5, beads) ** round_trip == pytest.approx(reflected, rel=1.0e-13)
 
 
-@pytest.mark.parametrize(("alpha", "gamma"), [WEAK, STRONG])
-def test_front_travels_unchanged_through_the_chain(alpha, gamma):
+def test_front_travels_unchanged_through_the_chain():
     """A thousand bead-times in the chain engine, with steps and boundaries of its own.
 
     Behind the front changes below the last digit of u = 1 are lost in every step, and the front
     slows down by some 1e-14 in a thousand bead-times: its place, by some 1e-12.
     """
-    bead_times = 1000
+    bead_times, (alpha, gamma) = 1000, WEAK
     front = shot(alpha, gamma, alpha, 2)
     u, velocity = (
         np.pad(values, (0, bead_times + 20))

@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 import granular_fronts as gf
-from granular_fronts.fronts.profile.equation import evaluate, front_problem, power_problem
+from granular_fronts.fronts.profile.equation import evaluate, front_problem
 from granular_fronts.fronts.profile.solve import (
     Window,
     quadrature_defect,
@@ -36,9 +36,8 @@ def linear(gamma):
 NONLINEAR = {"kind": "fpu", "quadratic": 0.5, "quartic": 0.25}
 POWER = {"kind": "power", "beta": 1.25, "gamma": 0.4}
 FRONTS = {
-    "toda": (law_of("toda", linear(0.3)), (-2.0, 0.0)),
+    "toda, weakly damped": (law_of("toda", linear(0.05)), (-2.0, 0.0)),
     "fpu": (law_of("fpu", NONLINEAR, cubic=3.0), (1.0, 0.0)),
-    "morse": (law_of("morse", linear(0.5)), (-1.0, 0.1)),
     "hertz": (law_of("hertz", POWER, alpha=1.5, stiffness=2.0), (-0.5, -0.1)),
     "cosh": (law_of(COSH, linear(0.4)), (-2.0, -0.5)),
     "lennard_jones": (law_of("lennard_jones", linear(0.2), depth=1.0 / 72.0), (-0.08, 0.01)),
@@ -52,19 +51,10 @@ def powers(alpha, gamma, beta=None, right_state=0.0):
 
 
 POWERS = {
-    "long waves": powers(1.02, 0.1),
     "long waves, strongly damped": powers(1.02, 20.0),
     "weakly damped": powers(1.5, 0.0337),
-    "hertz at rest": powers(1.5, 0.3),
     "dashpot": powers(1.5, 0.2, 1.0),
-    "beta = 5/4": powers(1.5, 0.2, 1.25),
-    "beta = 5/2": powers(1.5, 0.2, 2.5),
-    "alpha = 2": powers(2.0, 0.5),
     "alpha = 3": powers(3.0, 0.1),
-    "alpha = 3, dashpot": powers(3.0, 1.0, 1.0),
-    "alpha = 5": powers(5.0, 2.0),
-    "hardly compressed": powers(1.5, 0.1, right_state=0.01),
-    "compressed": powers(1.5, 0.1, right_state=0.5),
     "beta = 5/2, compressed": powers(1.5, 0.2, 2.5, 0.3),
     "almost linear": powers(1.5, 0.1, right_state=0.9),
 }
@@ -74,7 +64,7 @@ XI = np.array([-6.0, -2.0, -0.5, 0.75, 2.0])
 by_front = pytest.mark.parametrize("name", FRONTS)
 by_any_front = pytest.mark.parametrize("name", ALL)
 # Not the widest, which coarse grids resolve to the last digit, and which differ little in damping.
-WIDEST = ("long waves", "long waves, strongly damped", "almost linear")
+WIDEST = ("long waves, strongly damped", "almost linear")
 by_sharper_front = pytest.mark.parametrize("name", [name for name in ALL if name not in WIDEST])
 
 
@@ -201,7 +191,7 @@ def test_grid_errors_fall_as_the_defect_says(name):
     assert (np.array(errors) < 10.0 * np.array(defects) + 1e-14).all()
 
 
-@pytest.mark.parametrize("beta", [1.5, 1.0, 2.5])
+@pytest.mark.parametrize("beta", [1.5, 1.0])
 def test_both_ways_to_two_powers_are_one(beta):
     known = gf.solve_front(1.5, 0.3, beta)
     found = gf.solve_front(law={"alpha": 1.5, "beta": beta, "gamma": 0.3}, states=(-1.0, 0.0))
@@ -253,14 +243,6 @@ def test_close_states_have_the_digits_that_rounding_leaves():
     assert front.attrs["dissipated_power"] == pytest.approx(theory.dissipated_power, rel=1e-11)
 
 
-def test_weak_damping_is_reached_from_strong_damping():
-    front = gf.solve_front(law=law_of("toda", linear(0.05)), states=(-2.0, 0.0))
-    assert front.attrs["converged"] == 1
-    assert front.attrs["overshoot"] > 0.5
-    power = gf.jump_conditions(law_of("toda", linear(0.05)), -2.0, 0.0).dissipated_power
-    assert front.attrs["dissipated_power"] == pytest.approx(power, rel=1e-12)
-
-
 @by_front
 def test_slopes_of_p_and_q_are_their_derivatives(name):
     problem, step = front_problem(*FRONTS[name][:1], *FRONTS[name][1]), 1e-5
@@ -283,14 +265,3 @@ def test_a_front_of_any_law_can_be_written_and_read(tmp_path):
         again = read_dataset(tmp_path / "fronts.nc", "fronts")
         np.testing.assert_array_equal(again[variable], found[variable])
         assert json.loads(again.attrs["law"])["elastic"]["name"] == "cosh"
-
-
-def test_two_powers_are_normalised_as_they_are():
-    """p = s^α and q = γs^β to the last bit, whatever is done for other states."""
-    problem = power_problem(1.5, 0.3, 2.5)
-    s = np.linspace(-0.1, 1.2, 66)
-    p, q = np.empty((2, s.size))
-    evaluate(problem, s, p, q)
-    u = np.maximum(s, 0.0)
-    np.testing.assert_array_equal(p, u * np.sqrt(u))
-    np.testing.assert_allclose(q, 0.3 * u**2.5, rtol=4e-16)

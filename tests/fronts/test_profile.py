@@ -25,7 +25,7 @@ from granular_fronts.numerics.band import factorise, substitute
 from granular_fronts.numerics.interpolation import interpolate_all, largest
 from granular_fronts.numerics.quadrature import kernel_weights
 
-SPACINGS = [Fraction(1, 12), Fraction(1, 3), Fraction(1), Fraction(2), Fraction(7)]
+SPACINGS = [Fraction(1, 12), Fraction(1), Fraction(7)]
 
 
 def moment(weights, spacing, power):

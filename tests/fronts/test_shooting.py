@@ -16,12 +16,8 @@ from granular_fronts.fronts.shooting.solve import refine, sample_window, shoot_f
 DRIVEN = [0.06 * 0.1**0.25, 0.65 * 0.1**0.25]
 LAWS = [
     (1.5, DRIVEN[0], 1.5),
-    (1.5, DRIVEN[1], 1.5),
     (1.02, 0.1, 1.02),
-    (1.1, 0.24, 1.1),
     (1.1, gf.critical_damping(1.1), 1.1),  # whose tail is longer than its slowest root says
-    (2.0, 0.1, 2.0),
-    (3.0, 0.03, 3.0),
     (3.0, 2.0, 3.0),
     (1.5, 0.3, 1.0),
     (1.5, 0.1, 2.5),
@@ -71,7 +67,7 @@ def test_shooting_and_the_profile_equation_find_one_front(alpha, gamma, beta):
     assert shooting.attrs["dissipated_power"] == pytest.approx(power, abs=3.0e-14)
 
 
-@pytest.mark.parametrize(("alpha", "gamma"), [(1.5, DRIVEN[0]), (1.5, 1.0), (3.0, 0.03)])
+@pytest.mark.parametrize(("alpha", "gamma"), [(1.5, DRIVEN[0]), (3.0, 0.03)])
 def test_gauss_newton_converges_quadratically(alpha, gamma):
     """A residual linear in the steps that are left over would betray an inexact derivative."""
     steps = shoot_front(alpha, gamma).step_sizes
@@ -102,7 +98,7 @@ def test_driven_chain_and_continuum_lead_to_one_front(gamma):
         )
 
 
-@pytest.mark.parametrize(("alpha", "gamma"), [(1.5, DRIVEN[0]), (1.02, 0.3655), (2.0, 1.0)])
+@pytest.mark.parametrize(("alpha", "gamma"), [(1.5, DRIVEN[0]), (1.02, 0.3655)])
 def test_front_of_another_damping_is_a_guess(alpha, gamma):
     guess = shoot_front(alpha, 1.05 * gamma)
     continued = shoot_front(alpha, gamma, guess=guess)
@@ -140,13 +136,11 @@ def test_short_windows_wild_guesses_and_strict_tolerances_give_no_front():
 
 
 # Of the weakest continuum fronts are too far away; their windows have a thousand beads.
-WEAKEST = [pytest.param(*law, marks=pytest.mark.slow) for law in [(1.5, 0.003), (3.0, 0.004)]]
-RANGE = list(itertools.product((1.02, 1.1, 1.2, 1.5, 2.0, 3.0), (0.03, 0.1, 0.24, 1.0, 2.0)))
-RANGE += [(1.5, gamma) for gamma in DRIVEN]
+EXTREME = [(1.02, 0.03), (1.1, 1.0), (2.0, 0.24), (3.0, 0.1), (1.5, 0.003), (3.0, 0.004)]
 
 
-@pytest.mark.parametrize(("alpha", "gamma"), WEAKEST + RANGE)
-def test_range_of_laws(alpha, gamma):
+@pytest.mark.parametrize(("alpha", "gamma"), EXTREME)
+def test_fronts_of_extreme_laws_are_found(alpha, gamma):
     front = shoot_front(alpha, gamma)
     assert front.converged, front.reason
     assert front.residuals[-1] <= 1.0e-13

@@ -103,47 +103,44 @@ def test_overshoot_definition_of_critical_damping_meets_its_cut():
     assert gamma < gf.critical_damping(1.5)
 
 
-@pytest.mark.parametrize(
-    "changed",
-    [
-        lambda front: front.isel(xi=slice(None, None, 2)),
-        lambda front: front.isel(xi=slice(100, None)),
-        lambda front: front.isel(xi=slice(None, -40)),
-        lambda front: front.isel(xi=[0]),
-        lambda front: front.isel(xi=[]),
-        lambda front: front.isel(xi=0),
-        lambda front: front.expand_dims("case"),
-        lambda front: front.drop_sel(xi=-1.0),
-        lambda front: front.assign_coords(xi=front["xi"] + 1.0),
-        lambda front: front.assign_coords(xi=0.5 * front["xi"]),
-    ],
-    ids=[
-        "thinned",
-        "behind",
-        "ahead",
-        "point",
-        "empty",
-        "scalar",
-        "stacked",
-        "hole",
-        "shifted",
-        "scaled",
-    ],
-)
-def test_a_front_on_another_grid_is_refused(changed):
+OFF_THE_GRID = {
+    "thinned": lambda front: front.isel(xi=slice(None, None, 2)),
+    "cut behind": lambda front: front.isel(xi=slice(100, None)),
+    "cut ahead": lambda front: front.isel(xi=slice(None, -40)),
+    "point": lambda front: front.isel(xi=[0]),
+    "empty": lambda front: front.isel(xi=[]),
+    "scalar": lambda front: front.isel(xi=0),
+    "stacked": lambda front: front.expand_dims("case"),
+    "hole": lambda front: front.drop_sel(xi=-1.0),
+    "shifted": lambda front: front.assign_coords(xi=front["xi"] + 1.0),
+    "scaled": lambda front: front.assign_coords(xi=0.5 * front["xi"]),
+}
+
+
+@pytest.mark.parametrize("name", OFF_THE_GRID)
+def test_a_front_on_another_grid_is_refused(name):
     """Local polynomials would go through points that are not where they seem to be."""
     front = gf.solve_front(1.5, 0.3)
     assert gf.evaluate_front(front.copy(), -1.0) == front["relative_displacement"].sel(xi=-1.0)
+    with pytest.raises(InputError, match="thin, crop or shift the values"):
+        gf.evaluate_front(OFF_THE_GRID[name](front), -1.0)
+
+
+def test_values_in_single_precision_are_refused():
+    front = gf.solve_front(1.5, 0.3)
     single = front.assign(strain=front["strain"].astype("float32"))
     with pytest.raises(InputError, match="strain in single precision"):
         gf.evaluate_front(single, -1.0, "strain")
-    with pytest.raises(InputError, match="thin, crop or shift the values"):
-        gf.evaluate_front(changed(front), -1.0)
 
 
 def test_multipliers_are_known_for_two_powers_from_rest_only():
-    for front in (gf.solve_front(**TODA), gf.solve_front(1.5, 0.3, right_state=0.2)):
-        with pytest.raises(InputError, match="known only for two powers from compression 1"):
+    plain, words = gf.solve_front(1.5, 0.3), "known only for two powers from compression 1"
+    for front, reason in (
+        (gf.solve_front(**TODA), words),
+        (gf.solve_front(1.5, 0.3, right_state=0.2), words),
+        (plain.assign_coords(xi=plain["xi"] + 0.1), "whole number of points"),
+    ):
+        with pytest.raises(InputError, match=reason):
             gf.front_multipliers(front)
 
 
@@ -191,15 +188,11 @@ IMPOSSIBLE = [
 NOT_FOUND = [
     ({"alpha": 5.0, "gamma": 1e-3}, "."),
     (POWERS | {"gamma": 1e8}, r"1.1e\+10 sites"),
-    (POWERS | {"gamma": 1e300}, "sites"),
     (POWERS | {"gamma": 1e-300}, "sites"),
-    (POWERS | {"alpha": 1.0 + 1e-12}, "sites"),
     (POWERS | {"right_state": 1.0 - 1e-16}, "sites"),
-    (POWERS | {"gamma": 1e8, "beta": 1.0}, "sites"),
     (POWERS | {"gamma": 1e8, "method": "shooting"}, "explicit steps"),
     (POWERS | {"gamma": 1e-5, "method": "shooting"}, "beads"),
     (law_of("hertz", linear(0.3), (-1.0, 0.0), alpha=300.0), "."),
-    (law_of("toda", linear(1e7), (-2.0, 0.0)), "sites"),
     (TODA | {"states": (-1.0, -1.0 + 1e-9)}, "sites"),
     (law_of("toda", power(1.0, 0.3), (-1.0, 0.5)), "128 points per site: .* kink between"),
 ]

@@ -23,16 +23,16 @@ HERTZ = gf.make_law(
 COSH = gf.Potential(
     lambda r: np.cosh(r) - 1.0, np.sinh, np.cosh, np.sinh, interval=(-3.0, 3.0), name="cosh"
 )
-TODA, LINEAR = {"kind": "toda"}, {"kind": "linear", "gamma": 0.3}
+LINEAR = {"kind": "linear", "gamma": 0.3}
 CASES = {
     "hertz": {"alpha": 1.5},
-    "dashpot": {"alpha": 1.5, "beta": 1.0},
     "two powers": {"alpha": 3.0, "beta": 4.0},
     "compressed": {"law": HERTZ, "states": (-0.5, -0.1)},
-    "toda": {"law": gf.make_law(elastic=TODA, viscous=LINEAR), "states": (-2.0, 0.0)},
     "cosh": {"law": gf.make_law(elastic=COSH, viscous=LINEAR), "states": (-2.0, -0.5)},
     "proportional": {
-        "law": gf.make_law(elastic=TODA, viscous={"kind": "proportional", "gamma": 0.2}),
+        "law": gf.make_law(
+            elastic={"kind": "toda"}, viscous={"kind": "proportional", "gamma": 0.2}
+        ),
         "states": (-1.5, 0.5),
     },
 }

@@ -11,9 +11,9 @@ import granular_fronts as gf
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.linear.critical_damping import meaning_changes_at
 
-LAWS = list(
-    itertools.product((1.001, 1.1, 1.18, 1.5, 3.0, 10.0), (1e-3, 0.03, 0.19, 0.4, 3.0, 50.0))
-)
+# Long waves, the change of meaning at 1.188, Hertz and steep; from weak to strong damping.
+LAWS = list(itertools.product((1.001, 1.18, 1.5, 10.0), (1e-3, 0.19, 3.0, 50.0)))
+by_law = pytest.mark.parametrize(("alpha", "gamma"), LAWS)
 
 
 def relation(x, alpha, gamma):
@@ -34,17 +34,20 @@ def winding(alpha, gamma, right, top):
         path = np.insert(path, coarse + 1, 0.5 * (path[coarse] + path[coarse + 1]))
 
 
-@pytest.mark.parametrize(("alpha", "gamma"), LAWS)
-def test_roots_are_those_of_high_precision(alpha, gamma):
+@by_law
+def test_roots_are_those_of_high_precision_however_many_are_sought(alpha, gamma):
+    many = gf.tail_roots(alpha, gamma, count=60)
+    for count in (1, 3, 13):
+        np.testing.assert_array_equal(gf.tail_roots(alpha, gamma, count=count), many[:count])
     with mpmath.workdps(40):
-        for root in gf.tail_roots(alpha, gamma):
+        for root in many[:8]:
             exact = mpmath.findroot(
                 lambda x: relation(x, mpmath.mpf(alpha), mpmath.mpf(gamma)), mpmath.mpc(root)
             )
             assert abs(exact - root) <= 1e-14 * abs(exact)
 
 
-@pytest.mark.parametrize(("alpha", "gamma"), LAWS)
+@by_law
 def test_no_root_is_missing(alpha, gamma):
     """The argument principle counts the listed roots, up to the real part of the last but one."""
     roots = gf.tail_roots(alpha, gamma, count=8)
@@ -56,13 +59,6 @@ def test_no_root_is_missing(alpha, gamma):
     height = 2.0 * math.pi * math.ceil((bound * gamma + math.sqrt(bound)) / (2.0 * math.pi) + 0.1)
     expected = sum(1 if root.imag == 0.0 else 2 for root in inside)
     assert winding(alpha, gamma, right, height) == expected
-
-
-@pytest.mark.parametrize(("alpha", "gamma"), LAWS)
-def test_the_lowest_roots_do_not_depend_on_how_many_are_sought(alpha, gamma):
-    many = gf.tail_roots(alpha, gamma, count=60)
-    for count in (1, 3, 13):
-        np.testing.assert_array_equal(gf.tail_roots(alpha, gamma, count=count), many[:count])
 
 
 @pytest.mark.parametrize(("alpha", "gamma"), [(1.1, 0.16), (1.1, 0.3), (1.5, 0.05), (4.0, 3.0)])
