@@ -54,6 +54,9 @@ def listed(*force):
     return {"start": {"profile": "given", "rescaled_force": [*force]}, "fixed": bare}
 
 
+BARE = {"elastic": {"kind": "toda"}, "viscous": None}
+
+
 def rates(*values, **axes):
     return {"axes": {"law.elastic.rate": [*values], "delta": [1.0], **axes}}
 
@@ -110,6 +113,10 @@ REFUSED = {
             (rates(-1.0, 1.0), "rate is -1.0 | above 0"),
             (rates(1.0, **{"law.elastic.rat": [1.0]}), "'rat' is no parameter of toda"),
             (rates(1.0, alpha=[1.5]), "alpha is no key"),
+            (
+                rates(1.0, **{"law.viscous.gamma": [1]}) | {"law": BARE},
+                "law.viscous.kind is missing",
+            ),
         ],
     ),
     "ring": (

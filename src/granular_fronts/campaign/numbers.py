@@ -42,7 +42,9 @@ def with_numbers(given: Mapping[str, Any], point: Mapping[str, Any]) -> dict[str
         value, holder = float(number), changed
         *way, key = places.get(name, name.split("_", 1))
         for step in way:
-            holder = holder[step] if isinstance(holder, list) else holder.setdefault(step, {})
+            if isinstance(holder, dict) and holder.get(step) is None:
+                holder[step] = {}
+            holder = holder[step]
         # Counts, places and seeds are whole.
         is_whole = name in places and isinstance(holder[key], int) and value.is_integer()
         holder[key] = int(value) if is_whole else value
