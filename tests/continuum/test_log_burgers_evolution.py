@@ -23,8 +23,7 @@ def fine_ring(name, cells=4096):
     return at_end(scene_with(name), 1.0, cells, 1e-10)
 
 
-@pytest.mark.parametrize("name", ["weak", "hertz"])
-@pytest.mark.parametrize("floor", [1.0e-7, 1.0e-300, 0.0])
+@pytest.mark.parametrize(("name", "floor"), [("weak", 1.0e-7), ("hertz", 0.0)])
 def test_mean_is_kept_to_rounding_and_the_floor_holds(name, floor):
     solution = solve(
         Ring.read(scene_with(name, start__floor=floor)), 1.0, [45.0, 90.0], 512, 1.0e-5

@@ -6,7 +6,6 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
-import xarray as xr
 from heteroclinic_reference import DIGITS, Reference
 
 import granular_fronts as gf
@@ -41,29 +40,27 @@ from granular_fronts.continuum.log_kdv_burgers.traced_orbit import (
     Accuracy,
     trace_orbit,
 )
-from granular_fronts.continuum.measures import residual_of_orbits, transition
 from granular_fronts.errors import InputError
 from granular_fronts.model.amplitude_scaling import gamma_for
 
 ACCURACY = 1.0e-13
 # Largest error of y and its slope at these dampings.
-ROUND_OFF = {0.3: 4e-16, 2.0: 4e-16, 20.0: 4e-16}
+ROUND_OFF = {0.3: 4e-16, 2.0: 4e-16}
 CASES = [
     (0.0, -12),
-    (1.0e-12, -12),
-    (0.01, -30),
     (0.3, -30),
-    (1.0, -15),
-    (2.0 - 1.0e-8, -15),
     (2.0, -15),
-    (2.0 + 1.0e-8, -15),
-    (5.0, -15),
-    (np.nextafter(STIFF_DAMPING, 0.0), -12),
     (STIFF_DAMPING, -12),
-    (20.0, -30),
-    (50.0, -8),
+    *(
+        pytest.param(*case, marks=pytest.mark.slow)
+        for case in [
+            (1.0e-12, -12),
+            (2.0 - 1.0e-8, -15),
+            (np.nextafter(STIFF_DAMPING, 0.0), -12),
+            (50.0, -8),
+        ]
+    ),
 ]
-QUICK = [0.0, 0.3, 2.0, STIFF_DAMPING]
 
 
 @functools.cache
@@ -76,13 +73,7 @@ def digits(value):
     return mp.mpf(float(value))
 
 
-@pytest.mark.parametrize(
-    ("mu", "s_stop"),
-    [
-        pytest.param(*case, marks=() if case[0] in QUICK else pytest.mark.slow, id=f"{case[0]!r}")
-        for case in CASES
-    ],
-)
+@pytest.mark.parametrize(("mu", "s_stop"), CASES)
 def test_orbit_agrees_with_fifty_digits(mu, s_stop):
     exact = reference(mu, s_stop)
     s = np.linspace(s_stop + 0.25, 9.0, 25)
@@ -101,10 +92,7 @@ def test_orbit_agrees_with_fifty_digits(mu, s_stop):
     assert front["rescaled_force"].attrs["error_estimate"] < ACCURACY
 
 
-SLOW_MU = [pytest.param(mu, marks=pytest.mark.slow) for mu in (2.0, 50.0)]
-
-
-@pytest.mark.parametrize("mu", [0.3, *SLOW_MU])
+@pytest.mark.parametrize("mu", [0.3, pytest.param(50.0, marks=pytest.mark.slow)])
 def test_tail_keeps_the_relative_accuracy_of_the_logarithm(mu):
     exact = Reference(mu, 0.0, p_start=760)
     s = np.linspace(1.0, compute_orbit(mu, 0.0).s_at(UNDERFLOW_P), 40)
@@ -117,7 +105,7 @@ def test_tail_keeps_the_relative_accuracy_of_the_logarithm(mu):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("mu", [0.01, 0.3, 2.0, 12.0])
+@pytest.mark.parametrize("mu", [0.3, 12.0])
 def test_reference_obeys_the_planar_system_of_the_paper(mu):
     """(57) itself, in y and z, integrated by mpmath from y = ½ over the first turn."""
     exact = reference(mu, -10)
@@ -139,7 +127,7 @@ def test_undamped_orbit_is_the_gaussian():
     assert squared_slope_at_one(0.0) == pytest.approx(-2.0 * potential(1.0), abs=4.0e-16)
 
 
-@pytest.mark.parametrize("mu", [1.0e-12, 0.01, 0.3, 1.0, 1.9])
+@pytest.mark.parametrize("mu", [1.0e-12, 0.3, 1.9])
 def test_overshoots_agree_with_fifty_digits(mu):
     s_stop = -30
     front = gf.heteroclinic(mu, [s_stop, 0.0])
@@ -151,7 +139,7 @@ def test_overshoots_agree_with_fifty_digits(mu):
             assert abs(digits(front["turning_point"][turn]) - s) < 1.0e-12
 
 
-@pytest.mark.parametrize("mu", [0.05, 0.3, 1.0])
+@pytest.mark.parametrize("mu", [0.05, 1.0])
 def test_every_resolvable_turn_is_found(mu):
     s, overshoot = turning_points(mu)
     rate, frequency = linear_rates(mu)[1].real, linear_rates(mu)[1].imag
@@ -182,7 +170,7 @@ def test_overshoot_appears_below_the_transition():
     ]
 
 
-@pytest.mark.parametrize("mu", [0.3, 1.9, 1.99])
+@pytest.mark.parametrize("mu", [0.3, 1.99])
 def test_squared_slope_at_one_agrees_with_fifty_digits(mu):
     exact = reference(mu, -40)
     orbit = compute_orbit(mu, -40.0)
@@ -191,12 +179,11 @@ def test_squared_slope_at_one_agrees_with_fifty_digits(mu):
     assert squared_slope_at_one(mu) == pytest.approx(float(v) ** 2, rel=1.0e-13)
 
 
-@pytest.mark.parametrize("mu", [2.0 - 1.0e-8, 2.0, 3.0, 11.9, 12.0, 50.0])
-def test_squared_slope_at_one_vanishes_from_the_transition_on(mu):
-    assert squared_slope_at_one(mu) < 1.0e-40
+def test_squared_slope_at_one_vanishes_from_the_transition_on():
+    assert max(map(squared_slope_at_one, [2.0 - 1.0e-8, 2.0, 11.9, 12.0, 50.0])) < 1.0e-40
 
 
-@pytest.mark.parametrize("mu", [0.3, 1.0, 2.5, 3.0, 5.0, 11.0, 12.0, 50.0])
+@pytest.mark.parametrize("mu", [0.3, 2.5, 11.0, 50.0])
 def test_rates_read_off_an_orbit_are_the_eigenvalues_within_their_errors(mu):
     rate, rate_error, frequency, frequency_error = measure_rates(mu)
     expected = linear_rates(mu)[0 if mu > 2.0 else 1]
@@ -205,19 +192,6 @@ def test_rates_read_off_an_orbit_are_the_eigenvalues_within_their_errors(mu):
     square = survey_fronts([mu], np.array([-1.0, 0.0]))["squared_slope_at_one"]
     # It is 0 from μ = 2 on, and what is found there the error.
     assert square.error_estimate == (np.spacing(square) if mu < 2.0 else square)
-
-
-@pytest.mark.parametrize("mu", [0.0, 0.3, 2.0, 5.0, 12.0, 50.0])
-def test_energy_grows_by_what_the_negative_damping_feeds_in(mu):
-    """Energy law: the change of z²/2 + W over each panel is μ∫z² ds."""
-    ends = np.linspace(-12.0, 9.0, 22)
-    nodes, weights = np.polynomial.legendre.leggauss(24)
-    s = (ends[:-1, None] + 0.5 * (nodes + 1.0) * np.diff(ends)[:, None]).ravel()
-    z = gf.heteroclinic(mu, s)["slope"].values.reshape(-1, nodes.size)
-    fed = mu * (z**2 @ weights) * 0.5 * np.diff(ends)
-    front = gf.heteroclinic(mu, ends)
-    energy = 0.5 * front["slope"] ** 2 + potential(front["rescaled_force"])
-    np.testing.assert_allclose(np.diff(energy), fed, rtol=0, atol=5.0e-15)
 
 
 def test_expansion_starts_with_the_terms_worked_out_by_hand():
@@ -256,7 +230,7 @@ def test_closed_form_and_trace_agree_where_both_hold(mu):
     assert np.abs(np.exp(-fewer) - front["rescaled_force"]).max() <= estimate
 
 
-@pytest.mark.parametrize("tolerance", [1.0e-4, 1.0e-6, 1.0e-8, 1.0e-10])
+@pytest.mark.parametrize("tolerance", [1.0e-4, 1.0e-10])
 def test_error_follows_the_tolerance(tolerance):
     s = np.linspace(-30.0, 9.0, 301)
     exact, orbit = (trace_orbit(0.3, -30.0, a) for a in (FINER_STEPS, Accuracy(12, tolerance, 4.0)))
@@ -271,9 +245,12 @@ def test_points_may_come_in_any_order_and_alone():
     alone = [float(gf.heteroclinic(0.3, point)["rescaled_force"][0]) for point in s]
     np.testing.assert_allclose(alone, together, rtol=0, atol=1.0e-16)
     assert together[2] == pytest.approx(0.5, abs=2.0e-16)
+    # A turn outside the range of s is not listed.
+    turn = float(gf.heteroclinic(0.3, [-3.0, 0.0])["turning_point"][0])
+    assert gf.heteroclinic(0.3, [turn + 1.0e-3, 0.0]).sizes["turn"] == 0
 
 
-@pytest.mark.parametrize("mu", [0.0, 0.3, 2.0, 11.0, 50.0])
+@pytest.mark.parametrize("mu", [0.0, 0.3, 50.0])
 def test_default_range_covers_both_tails_and_far_behind_the_force_is_one(mu):
     y = gf.heteroclinic(mu)["rescaled_force"]
     assert y[-1] < 1.0e-15
@@ -348,14 +325,3 @@ def test_trajectories_of_the_portrait_lead_through_their_starts_and_gain_energy(
     energy = 0.5 * z**2 + potential(y)
     assert np.isfinite(energy).all()
     assert (np.diff(energy) > 0.0).all()
-
-
-def test_measures_of_orbits_know_the_transition_and_their_own_error():
-    mu = np.array([0.3, 1.0, 1.5])
-    rows = {"angular_frequency": ("mu", np.sqrt(1.0 - mu**2 / 4.0))}
-    rows["angular_frequency_error"] = ("mu", np.full(3, 1e-9))
-    assert transition(xr.Dataset(rows, {"mu": mu})).value == pytest.approx(2.0, rel=1e-12)
-    # Differences of order 6 err by a 64th of those over twice the spacing.
-    value, error = residual_of_orbits(survey_fronts(mu, np.arange(-6.0, 3.0, 0.1)), 0.3)[:2]
-    assert 1e-9 < value < 1e-5
-    assert error == pytest.approx(value, rel=0.5)

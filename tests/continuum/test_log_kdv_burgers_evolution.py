@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from log_kdv_reference import evolve_differences
-from rings import SCENES, assert_order, scene_with, slope_and_residual
+from rings import assert_order, scene_with, slope_and_residual
 from scipy import fft
 from waves_on_rings import moved, points_of, smooth_wave
 
@@ -182,10 +182,9 @@ def test_order_is_at_least_two_where_y_changes_sign():
 # Other methods.
 
 
-@pytest.mark.parametrize("name", ["weak", "hertz"])
-def test_without_dispersion_it_is_the_logarithmic_burgers_equation(name):
+def test_without_dispersion_it_is_the_logarithmic_burgers_equation():
     """The same ring by sixth-order finite volumes."""
-    scene = scene_with(name, end_time=30.0)
+    scene = scene_with("hertz", end_time=30.0)
     half_length = Ring.read(scene).half_length
     slow_time, start = Ring.read(scene).scaling.slow_rate * 30.0, Plateau(10.0, 1e-7)
     equation = Equation(half_length, 1.0, 0.0, 1e-16)
@@ -278,12 +277,6 @@ def test_datasets_state_an_error_that_holds():
     error = np.abs(force.values - exact).max()
     assert error <= 2.0 * force.attrs["error_estimate"] < 2e-4
     assert dataset.attrs["smallest_value"] == pytest.approx(exact.min(), abs=1e-3)
-
-
-@pytest.mark.parametrize("name", ["weak", "hertz"])
-def test_scenes_of_the_paper_are_solved(name):
-    force = gf.evolve_log_kdv_burgers(SCENES[name])["rescaled_force"]
-    assert force.attrs["error_estimate"] < 1e-5
 
 
 def test_cut_off_of_the_logarithm_changes_less_than_the_tolerance():
