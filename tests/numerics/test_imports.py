@@ -16,7 +16,6 @@ FOLDER = ROOT / "workflow/scripts"
 SOURCES = [ROOT / "src", ROOT / "workflow/lib", FOLDER, *FOLDER.glob("*/")]
 FILES = module_files(*SOURCES)
 SCRIPTS = sorted(file.stem for file in [*FOLDER.glob("*.py"), *FOLDER.glob("*/*.py")])
-DRAWING = {"granular_fronts.output.panels", "granular_fronts.output.style"}
 
 LIST_WHAT_IS_LOADED = """
 import json, sys
@@ -63,12 +62,6 @@ def test_the_same_imports_are_read_as_python_parses():
             if isinstance(node, ast.ImportFrom):
                 parsed |= {f"{node.module}.{alias.name}" for alias in node.names}
         assert parsed <= named_in(file), name
-
-
-def test_only_what_draws_stands_on_the_looks_of_figures():
-    for script in SCRIPTS:
-        draws = script.startswith("plot_") or script == "figure_step"
-        assert bool(DRAWING & import_closure([script], FILES)) == draws, script
 
 
 def test_imports_inside_functions_and_packages_above_are_found(tmp_path):

@@ -13,14 +13,6 @@ FOLDERS = [str(Path(__file__).parents[2] / part) for part in ("src", "tests/supp
 
 LONG = {
     "front": ("gf.solve_front(1.5, 0.3)", "gf.solve_front(1.001, 1e-5)"),
-    "shooting": (
-        "gf.solve_front(1.5, 0.3, method='shooting')",
-        "gf.solve_front(1.5, 60.0, method='shooting')",
-    ),
-    "sweep": (
-        "gf.sweep_fronts(1.5, np.geomspace(0.1, 1.0, 5))",
-        "gf.sweep_fronts(1.5, np.geomspace(0.02, 2.0, 200_000))",
-    ),
     "chain": (
         "gf.simulate_chain(driven_scene(0.1, 20, 10.0, **PRESSED))",
         "gf.simulate_chain(driven_scene(0.1, 100_000, 1e5, **PRESSED))",

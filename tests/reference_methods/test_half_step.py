@@ -133,13 +133,7 @@ def test_modified_equation_explains_the_leading_error(is_chain, order):
     assert_order(1.0 / steps, errors, order, 0.15, 0.026)
 
 
-def test_momentum_is_that_of_the_pressure():
-    chain = Chain(1.5, 1.0, 0.2, left=0.7, right=0.3)
-    _, v = from_rest(chain, 0.3)
-    assert v.sum() == pytest.approx((0.7**1.5 - 0.3**1.5) * END, rel=1e-13)
-
-
-@pytest.mark.parametrize(("stiffness", "damping"), [(1.0, 0.0), (0.5, 0.2), (0.1, 0.6)])
+@pytest.mark.parametrize(("stiffness", "damping"), [(1.0, 0.0), (0.1, 0.6)])
 def test_limit_of_stability_is_that_of_the_shortest_wave(stiffness, damping):
     """A linear chain (α = 1 with stiffness s by the unit of time, β = 1) near h²s + 2hg = 1."""
     g = damping / np.sqrt(stiffness)
