@@ -3,9 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from chains import driven_scene
 from configurations import DEFAULT, refusal, set_value
-from potentials import hertz
 from tabulate_materials import tabulate_materials
 
 import granular_fronts as gf
@@ -77,26 +75,6 @@ def test_regimes_follow_equation_29():
     assert np.all(np.diff(e.sel(beta=2.5)) < 0.0)
     assert np.all(np.diff(e.sel(beta=1.0)) >= 0.0)
     assert np.all(np.diff(e.sel(beta=1.25)) == 0.0)
-
-
-def dissipated_power(start, beta, gamma, samples=16):
-    """Power lost in a chain driven with δ = c = 1, averaged over the time 1/c."""
-    scene = driven_scene(gamma, int(1.2 * start) + 20, start + 1.0, beta=beta, delta=1.0)
-    scene["record"] = {"snapshots": list(start + np.arange(samples) / samples)}
-    motion = gf.simulate_chain(scene)
-    u = np.maximum(motion["relative_displacement"].values[:, :-1], 0.0)
-    rate = np.diff(motion["velocity"].values, axis=1)
-    return float((beta * gamma * u ** (beta - 1.0) * rate**2).sum(axis=1).mean())
-
-
-def test_front_dissipates_what_the_jump_conditions_say():
-    """Σ W''(δ⁺x) (δ⁺ẋ)², averaged over the passage of one bead, is cS whatever W (16)."""
-    expected = gf.jump_conditions(hertz(1.5), -1.0, 0.0).dissipated_power
-    assert expected == pytest.approx(0.1, rel=1e-14)
-    early, late = (dissipated_power(time, beta=2.5, gamma=0.4) for time in (120.0, 240.0))
-    # What the sudden start leaves behind dies out as t^(-2).
-    assert (4.0 * late - early) / 3.0 == pytest.approx(expected, rel=5e-4)
-    assert abs(late / expected - 1.0) < 1.3e-3
 
 
 @pytest.mark.parametrize(
