@@ -9,10 +9,6 @@ min_version("9.27")
 include: "workflow/rules/common.smk"
 
 
-from granular_fronts.scenes.configuration import folder_errors, validate_configuration
-from granular_fronts.errors import InputError, exit_on_error
-from granular_fronts.scenes.yaml_files import load_configuration, merge
-
 # Snakemake itself merges files key by key, without a word on a key that is left over from another
 # kind, and says of a YAML error neither line nor column.
 with exit_on_error("The configuration cannot be computed."):
@@ -43,34 +39,28 @@ if glob(f"{config['results']}/data/*/*.nc") and not glob(".snakemake/metadata/*"
     )
 
 
-include: "workflow/rules/parameters.smk"
-include: "workflow/rules/products.smk"
-include: "workflow/rules/figures.smk"
+include: "workflow/rules/datasets.smk"
 include: "workflow/rules/kernels.smk"
 include: "workflow/rules/scenes.smk"
 include: "workflow/rules/studies.smk"
+include: "workflow/rules/figures.smk"
 include: "workflow/rules/tables.smk"
-include: "workflow/rules/precision.smk"
-include: "workflow/rules/hard_cases.smk"
-include: "workflow/rules/honesty.smk"
-include: "workflow/rules/proofs.smk"
-include: "workflow/rules/referee.smk"
 include: "workflow/rules/campaign_chunks.smk"
 include: "workflow/rules/campaign.smk"
-include: "workflow/rules/checks.smk"
 include: "workflow/rules/report.smk"
-include: "workflow/rules/papers.smk"
+
+
+for rules_of_project in sorted(glob("projects/*/rules.smk")):
+
+    include: rules_of_project
 
 
 rule all:
-    """The report and the tests of all finished files; made when no target is named."""
+    """Figures, tables, the tests of all finished files, and the report: what takes seconds."""
     default_target: True
     input:
-        report="<results>/report.html",
-        verdict="<results>/checks.txt",
+        rules.report.output,
         # Nothing is up to date while something that it was made from is missing.
-        figures=FIGURE_FILES,
-        tables=TABLE_FILES,
-        datasets=DATASETS,
-    message:
-        "Done: open {input.report}."
+        rules.figures.input,
+        rules.tables.input,
+        data(*DATASETS),

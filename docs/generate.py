@@ -4,29 +4,29 @@ The manual's build writes them into docs/generated, so that no name, range or nu
 """
 
 import inspect
-import math
 import re
+import sys
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import pandas as pd
-import yaml
 from configuration import campaign_page, configuration_page
-from measured import in_print
 
 import granular_fronts
 from granular_fronts.output.datasets import long_names
 
 ROOT = Path(__file__).parents[1]
-WORKFLOW = ROOT / "workflow"
+sys.path.append(str(ROOT / "workflow" / "lib"))
 
+from captions import read_texts  # noqa: E402
 
-def _read_yaml(name: str) -> Any:
-    """A YAML file of the workflow."""
-    return yaml.safe_load((WORKFLOW / name).read_text(encoding="utf-8"))
-
-
-FIGURES = _read_yaml("figures.yaml")
+CAPTIONS = {
+    file.stem: read_texts(file)
+    for folder in ("workflow/captions", *sorted(ROOT.glob("projects/*/captions")))
+    for file in sorted((ROOT / folder).glob("*.rst"))
+}
+TABLES = {name.removeprefix("table_"): CAPTIONS[name] for name in CAPTIONS if "table_" in name}
+FIGURES = {name: CAPTIONS[name] for name in CAPTIONS if "table_" not in name}
+"""Texts of all tables and figures by the names of their files."""
 
 
 def write_pages(folder: Path, results: Path) -> None:
@@ -56,7 +56,7 @@ def write_pages(folder: Path, results: Path) -> None:
         "figures": figures_page(results),
         "paper_numbers": _tables(results, ["paper_numbers"]),
         "findings": _tables(results, ["findings"]),
-        "papers": papers_page(results),
+        **project_pages(),
         "tables": _tables(results, ["front_properties", "critical_damping", "jump_conditions"]),
     }
     for name, text in made.items():
@@ -160,40 +160,33 @@ def figures_page(results: Path) -> str:
     """Every figure, with the caption of what was computed, or with the command that draws it."""
     lines = ["# Figures"]
     for name in FIGURES:
-        file = _drawn(name, results)
-        lines += [
-            "",
-            f"({name})=",
-            "",
-            f"## {_title(name)}",
-            "",
-            *_picture(name, FIGURES[name]["alt"], file, "../.."),
-        ]
-        caption = file.with_suffix(".rst")
+        lines += ["", f"({name})=", "", f"## {_title(name)}", "", *_picture(name, results, "../..")]
+        caption = (results / "figures" / name).with_suffix(".rst")
         if caption.exists():
             # Captions are reStructuredText.
             lines += ["", "```{eval-rst}", caption.read_text(encoding="utf-8").strip(), "```"]
     return "\n".join(lines) + "\n"
 
 
+def target_of(name: str) -> str:
+    """The target that draws a figure: fig01 of fig01_initiation_underdamped."""
+    return name.partition("_")[0] if name.startswith("fig0") else name
+
+
 def _title(name: str) -> str:
-    """Number and title of a figure."""
-    return f"Figure {name[3:].lstrip('0')}. {FIGURES[name]['title']}"
+    """Number and title of a figure of the paper, title of another."""
+    number = re.match(r"fig0(\d)_", name)
+    return f"Figure {number[1]}. {FIGURES[name].title}" if number else FIGURES[name].title
 
 
-def _drawn(name: str, results: Path) -> Path:
-    """The file of a figure."""
-    return results / "figures" / f"{name}_{FIGURES[name]['name']}.png"
-
-
-def _picture(name: str, alt: str, file: Path, up: str) -> list[str]:
+def _picture(name: str, results: Path, up: str) -> list[str]:
     """A figure as Markdown, or the command that draws it where it was not asked for."""
-    if not file.exists():
-        return [f"This figure is drawn on demand, by `snakemake -c2 {name}`."]
-    return [f"![{alt}]({up}/results/figures/{file.name})"]
+    if not (results / "figures" / f"{name}.png").exists():
+        return [f"This figure is drawn on demand, by `snakemake -c2 {target_of(name)}`."]
+    return [f"![{FIGURES[name].comment}]({up}/results/figures/{name}.png)"]
 
 
-PICTURE = re.compile(r"<!-- figure (?P<number>\d+b?) -->")
+PICTURE = re.compile(r"<!-- figure (?P<target>\w+) -->")
 """Where a page shows a figure of the run."""
 
 
@@ -203,7 +196,8 @@ def fill_pictures(text: str, page: str, results: Path) -> str:
     Parameters
     ----------
     text : str
-        The page; ``<!-- figure 12 -->`` in a line of its own asks for a figure.
+        The page; ``<!-- figure 1 -->`` or ``<!-- figure critical_damping -->`` in a line of its own
+        asks for a figure.
     page : str
         Its path below docs, from which the paths of pictures follow.
     results : Path
@@ -214,73 +208,31 @@ def fill_pictures(text: str, page: str, results: Path) -> str:
     """
 
     def fill(found: re.Match[str]) -> str:
-        number = found["number"]
-        name = f"fig{number.zfill(3 if number.endswith('b') else 2)}"
-        up = "../" * page.count("/") + ".."
-        file, title = _drawn(name, results), f"*{_title(name)}.*"
-        picture = _picture(name, FIGURES[name]["alt"], file, up)
-        return "\n".join([*picture, "", title] if file.exists() else [f"{title} {picture[0]}"])
+        target = f"fig0{found['target']}" if found["target"].isdigit() else found["target"]
+        [name] = [name for name in FIGURES if target_of(name) == target]
+        title = f"*{_title(name)}.*"
+        picture = _picture(name, results, "../" * page.count("/") + "..")
+        return "\n".join([*picture, "", title] if "![" in picture[0] else [f"{title} {picture[0]}"])
 
     return PICTURE.sub(fill, text)
 
 
-PAPERS = """# What was found beyond other papers
-
-Each paper with a folder of its own has a table of numbers that were not in what was read of it;
-the folder on weak damping is about no paper.
-A finding holds if its value with its error meets the criterion. The last column names a second
-method that was asked, and has a dash where none was. All of it is made on demand, by
-`snakemake -c2 papers`. The page of a folder says what was read, and what else was found.
-"""
-
-
-def papers_page(results: Path) -> str:
-    """What was found on the subject of each paper, and its figures, as far as they were made."""
-    lines = [PAPERS]
-    for file in sorted((ROOT / "papers").glob("*/paper.yaml")):
-        paper, listed = file.parent.name, yaml.safe_load(file.read_text(encoding="utf-8"))
-        lines += [f"## {listed['title']}", "", f"[Its page](../papers/{paper}.md)", ""]
-        for name, table in listed.get("tables", {}).items():
-            if table.get("statements") == "findings.yaml":
-                statements = yaml.safe_load(file.with_name("findings.yaml").read_text("utf-8"))
-                lines += _findings(statements, results / "tables" / f"{name}.csv")
-        for name, one in listed.get("figures", {}).items():
-            picture = _picture(name, one["alt"], results / "figures" / f"{name}.png", "../..")
-            lines += ["", f"*{one['title']}.*", "", *picture]
-        lines.append("")
-    return "\n".join(lines)
-
-
-def _findings(statements: list[dict[str, Any]], table: Path) -> list[str]:
-    """Findings with what they are judged by, and with their values if these were computed."""
-    rows = pd.read_csv(table).set_index("quantity").T if table.exists() else {}
-    lines = ["| finding | value | holds if | second method |", "|---|---|---|---|"]
-    for one in statements:
-        name = one["quantity"]
-        value = _with_error(rows[name]) if name in rows else "on demand"
-        cells = name, value, one.get("criterion", "not judged"), one.get("check", "–")
-        lines.append(f"| {' | '.join(cells)} |")
-    return lines
-
-
-def _with_error(row: pd.Series) -> str:
-    """A value to the digit of its error, and the error."""
-    value, error = float(row["computed"]), float(row["numerical error"])
-    if not 0.0 < error < math.inf:
-        return in_print(value, ".6g")
-    digits = max(0, math.ceil(-math.log10(error)))
-    return f"{in_print(value, f'.{digits}f')} ± {in_print(error, '.0e')}"
+def project_pages() -> dict[str, str]:
+    """The page of each project, whose links stand as deep in the repository as they will."""
+    return {
+        f"project_{page.parent.name}": page.read_text(encoding="utf-8")
+        for page in sorted(ROOT.glob("projects/*/README.md"))
+    }
 
 
 def _tables(results: Path, names: list[str]) -> str:
     """Some tables with their titles and captions, as a page."""
-    described = _read_yaml("tables.yaml")
     lines: list[str] = []
     for name in names:
         rows = (results / "tables" / f"{name}.md").read_text(encoding="utf-8").strip()
         rows = "\n".join(_kept_columns(rows.splitlines()))
         heading = "##" if lines else "#"
-        lines += [f"{heading} {described[name]['title']}", "", described[name]["caption"], "", rows]
+        lines += [f"{heading} {TABLES[name].title}", "", TABLES[name].caption, "", rows]
     return "\n".join(lines) + "\n"
 
 

@@ -1,4 +1,4 @@
-"""Links of the manual: where "figure 12", "(41)", "Lemma 9" and "James (2021)" are shown."""
+"""Links of the manual: where "figure 2", "(41)", "Lemma 9" and "James (2021)" are shown."""
 
 import re
 from pathlib import Path
@@ -20,7 +20,7 @@ PAPERS = {  # "James (2021)": its place in the bibliography
     )
 }
 FIGURE_PLACES = {
-    f"Figure {name[3:].lstrip('0')}": f"generated/figures.html#{name}" for name in FIGURES
+    f"Figure {name[4]}": f"generated/figures.html#{name}" for name in FIGURES if name[:4] == "fig0"
 }
 EQUATIONS = {f"({number})": f"equations.html#eq-{number}" for number in MEANINGS}
 PLACES = PROVED | PAPERS | FIGURE_PLACES | EQUATIONS
@@ -42,7 +42,7 @@ def links_in(text):
     end, kind = -1, ""
     for found in NAMED.finditer(text):
         start = found.start()
-        if found["next"]:  # figures 23 and 24
+        if found["next"]:  # figures 2 and 3
             if start != end:
                 continue
             start = found.start("next")

@@ -1,29 +1,21 @@
 """What the tests of finished files are given; the rule check_results runs them."""
 
+import json
 from functools import cache
 from pathlib import Path
 
 import pytest
 
-from dataset_parameters import default_parameters
 from granular_fronts.output import datasets
 from granular_fronts.output.departures import physical_departures
-from granular_fronts.scenes.yaml_files import read_yaml
-
-PROJECT = Path(__file__).parents[2]
 
 # Each file once for all tests, which leave what they are given as it is.
 read_dataset = cache(datasets.read_dataset)
 
 
 def pytest_addoption(parser):
-    parser.addoption("--results", type=Path, default=Path("results"), help="the results folder")
-    parser.addoption(
-        "--configuration",
-        type=Path,
-        default=PROJECT / "config/default.yaml",
-        help="a YAML file with the merged configuration that was computed",
-    )
+    parser.addoption("--results", type=Path, help="the results folder")
+    parser.addoption("--made", type=Path, help="a JSON file that lists datasets and figures")
 
 
 @pytest.fixture(scope="session")
@@ -33,29 +25,18 @@ def results(request):
 
 
 @pytest.fixture(scope="session")
-def configuration(request):
-    """The merged configuration."""
-    return read_yaml(request.config.getoption("--configuration"))
+def made(request):
+    """The datasets that should be there, each with its parameters and the paper's; the figures."""
+    return json.loads(request.config.getoption("--made").read_text(encoding="utf-8"))
 
 
 @pytest.fixture(scope="session")
-def as_in_the_paper(configuration):
+def as_in_the_paper(made):
     """Skip a test that expects the paper's parameters where some of its datasets have others."""
-    default = read_yaml(PROJECT / "config/default.yaml")
-    present, reference = default_parameters(configuration), default_parameters(default)
 
     def check(*names):
         for name in names:
-            if physical_departures(present[name], reference[name]):
+            if physical_departures(*made["datasets"][name]):
                 pytest.skip(f"{name} has other parameters than the paper")
 
     return check
-
-
-def listed_as_made(kind):
-    """Stems of the figures or tables that a plain call of the workflow makes, below the results."""
-    return [
-        f"{kind}/{f'{key}_' if 'name' in described else ''}{described.get('name', key)}"
-        for key, described in read_yaml(PROJECT / "workflow" / f"{kind}.yaml").items()
-        if not described.get("on_demand")
-    ]

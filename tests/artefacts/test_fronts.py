@@ -1,4 +1,4 @@
-"""The numbers behind figures 9 to 13, against what must hold for any front."""
+"""The numbers behind the figures of exact fronts, against what must hold for any front."""
 
 import numpy as np
 import pytest

@@ -15,9 +15,9 @@ import pandas as pd
 import psutil
 import pytest
 import yaml
-from projects import copy_project, lend_kernels
 
 from granular_fronts.output.datasets import read_dataset
+from projects import copy_project, lend_kernels
 
 CAMPAIGN = {
     "kind": "chain",

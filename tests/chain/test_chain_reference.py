@@ -5,7 +5,6 @@ import pytest
 import xarray as xr
 from chains import driven_scene, last_state
 from newton import newton
-from projects import ROOT
 
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.simulate import simulate_chain
@@ -13,6 +12,7 @@ from granular_fronts.model.laws import make_law
 from granular_fronts.reference_methods import position_forms
 from granular_fronts.reference_methods.extended import OTHER_TOLERANCE, Motion
 from granular_fronts.studies.choice_of_variables import SCHEMES
+from projects import ROOT
 
 DELTA = 0.1
 extended = pytest.mark.skipif(

@@ -6,7 +6,6 @@ import math
 import numpy as np
 import pytest
 import xarray as xr
-from projects import ROOT
 from tabulate_statements import find_measure
 
 from granular_fronts.accuracy import tabulated
@@ -25,6 +24,7 @@ from granular_fronts.studies import shock_measures as shocks
 from granular_fronts.studies import tapered_measures as tapered
 from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
 from granular_fronts.studies.dispersive_shocks import fitted_edges
+from projects import ROOT
 
 
 def dataset(config=None, attrs=None, error=1e-3, **variables):

@@ -14,9 +14,9 @@ from pathlib import Path
 
 import pytest
 import yaml
-from projects import copy_project
 
 from granular_fronts.output.datasets import read_dataset
+from projects import copy_project
 
 CLUSTER = Path(__file__).with_name("one_node.sh")
 CAMPAIGN = {

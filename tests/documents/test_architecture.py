@@ -2,9 +2,8 @@
 
 from graphlib import TopologicalSorter
 
-from projects import ROOT
-
 from granular_fronts.numerics.imports import module_files, named_in
+from projects import ROOT
 
 PACKAGES = (
     "errors",

@@ -6,10 +6,10 @@ import numpy as np
 import pandas as pd
 import pytest
 from pages import EXTENDING, carry_out, commands
-from projects import copy_project, lend_kernels, snakemake
 
 import granular_fronts as gf
 from granular_fronts.output.datasets import read_dataset
+from projects import copy_project, lend_kernels, snakemake
 
 pytestmark = pytest.mark.slow
 
@@ -35,7 +35,7 @@ def project(tmp_path_factory):
     for subject in SUBJECTS:
         places = [name for name in carry_out(copy, subject) if "/" in name]
         assert len(places) == numbers[subject.split()[-1]]
-    wanted = [command(word)[-1] for word in ("fig99", "front_width.nc", "front_width.md")]
+    wanted = [command(word)[-1] for word in ("flux_difference", "front_width.nc", "tabulate")]
     outcome = snakemake("-c2", *wanted, folder=copy)
     assert outcome.returncode == 0, outcome.stderr
     return copy
@@ -44,8 +44,8 @@ def project(tmp_path_factory):
 def test_a_figure_is_added_in_three_places(project):
     figures = project / "results" / "figures"
     drawn = {path.name for path in figures.iterdir()}
-    assert drawn == {f"fig99_flux_difference.{ending}" for ending in ("pdf", "png", "rst")}
-    caption = (figures / "fig99_flux_difference.rst").read_text(encoding="utf-8")
+    assert drawn == {f"flux_difference.{ending}" for ending in ("pdf", "png", "rst")}
+    caption = (figures / "flux_difference.rst").read_text(encoding="utf-8")
     assert "α = 1.5, 1.1" in caption
 
 
@@ -72,12 +72,3 @@ def test_an_option_is_added_in_two_places(project):
     for mu, s in read_dataset(project / asked[-1])["reach"].to_series().items():
         front = gf.heteroclinic(mu, np.array([0.0, s]))
         np.testing.assert_allclose(front["rescaled_force"], [0.5, 0.01], rtol=1e-12)
-
-
-@pytest.mark.parametrize("missing", ["scripts/figures/plot_fig99.py", "report/fig99.rst"])
-def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
-    project = copy_project(tmp_path)
-    carry_out(project, SUBJECTS[0], but=f"workflow/{missing}")
-    outcome = snakemake("fig99", "--dry-run", folder=project)
-    assert outcome.returncode != 0
-    assert "fig99" in outcome.stdout + outcome.stderr

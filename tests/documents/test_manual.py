@@ -1,7 +1,6 @@
 """What the manual makes of the code: public names, keys of the configuration, pictures, links."""
 
 import doctest
-import math
 import re
 from importlib import import_module
 
@@ -9,11 +8,11 @@ import matplotlib
 import pytest
 import yaml
 from pages import load_script
-from projects import ROOT
 
 import granular_fronts as gf
 from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.scenes.configuration import Configuration
+from projects import ROOT
 
 SCHEMA = Configuration.model_json_schema()
 PAGES, KEYS, LINKS, MEASURED = map(load_script, ("generate", "configuration", "links", "measured"))
@@ -138,63 +137,26 @@ def test_the_manual_needs_results(tmp_path):
 
 def test_a_page_shows_a_figure_or_how_to_draw_it(tmp_path):
     (tmp_path / "figures").mkdir()
-    (tmp_path / "figures" / "fig12_critical_damping.png").touch()
-    filled = PAGES.fill_pictures("a\n\n<!-- figure 12 -->\n", "theory/a", tmp_path)
-    alt = PAGES.FIGURES["fig12"]["alt"]
-    assert f"![{alt}](../../results/figures/fig12_critical_damping.png)" in filled
-    assert "*Figure 12. The meanings of critical damping.*" in filled
-    missing = PAGES.fill_pictures("<!-- figure 7b -->", "a", tmp_path)
-    assert "snakemake -c2 fig07b`" in missing
+    (tmp_path / "figures" / "critical_damping.png").touch()
+    filled = PAGES.fill_pictures("a\n\n<!-- figure critical_damping -->\n", "theory/a", tmp_path)
+    alt = PAGES.FIGURES["critical_damping"].comment
+    assert f"![{alt}](../../results/figures/critical_damping.png)" in filled
+    assert "*The meanings of critical damping.*" in filled
+    missing = PAGES.fill_pictures("<!-- figure model_error -->", "a", tmp_path)
+    assert "snakemake -c2 model_error`" in missing
     assert "![" not in missing
     page = PAGES.figures_page(tmp_path)
     assert all(f"\n({name})=\n" in page for name in PAGES.FIGURES)
 
 
-def test_findings_beyond_papers_stand_with_their_errors(tmp_path):
-    """Those that were computed with values, the others and figures with how to compute them."""
-    for folder in ("tables", "figures"):
-        (tmp_path / folder).mkdir()
-    table = (
-        "quantity,computed,numerical error\nmass ratio of the second antiresonance,0.34285,4e-5\n"
-    )
-    (tmp_path / "tables" / "jayaprakash_2011_findings.csv").write_text(table, encoding="utf-8")
-    (tmp_path / "figures" / "jayaprakash_2011_ladder.png").touch()
-    page = PAGES.papers_page(tmp_path)
-    assert (
-        "antiresonance | 0.34285 ± 4·10⁻⁵ | 0.342845781149898 within 5e-14 | chains alone" in page
-    )
-    assert re.search(r"!\[.+\]\(../../results/figures/jayaprakash_2011_ladder\.png\)", page)
-    assert "drawn on demand, by `snakemake -c2 rosas_2007_pulses`" in page
-    for file in (ROOT / "papers").glob("*/findings.yaml"):
-        assert f"(../papers/{file.parent.name}.md)" in page
-        assert (ROOT / "docs" / "papers" / f"{file.parent.name}.md").exists()
-        for finding in yaml.safe_load(file.read_text(encoding="utf-8")):
-            [row] = re.findall(rf"^\| {re.escape(finding['quantity'])} \| .*$", page, re.MULTILINE)
-            assert row.count(" | ") == 3
-
-
-@pytest.mark.parametrize(
-    ("error", "written"),
-    [
-        (0.0039, "0.582 ± 4·10⁻³"),
-        (4e-6, "0.582370 ± 4·10⁻⁶"),
-        (0.0, "0.58237"),
-        (math.nan, "0.58237"),
-        (2.0, "1 ± 2·10⁰"),
-    ],
-)
-def test_a_value_ends_where_its_error_begins(error, written):
-    assert PAGES._with_error({"computed": 0.58237, "numerical error": error}) == written
-
-
 def test_figures_equations_lemmas_and_papers_are_links():
-    text = "In figures 23 and 24, Lemmas 4 to 7 and (24)-(32) of James (2021); f(1), p'(1), (99)"
+    text = "In figures 2 and 3, Lemmas 4 to 7 and (24)-(32) of James (2021); f(1), p'(1), (99)"
     found = [(text[start:stop], place) for start, stop, place in LINKS.links_in(text)]
     assert [name for name, _ in found] == [
-        *("figures 23", "24", "Lemmas 4", "7", "(24)", "(32)", "James (2021)")
+        *("figures 2", "3", "Lemmas 4", "7", "(24)", "(32)", "James (2021)")
     ]
     places = dict(found)
-    assert places["24"] == "generated/figures.html#fig24"
+    assert places["3"] == "generated/figures.html#fig03_initiation_overdamped"
     assert places["(32)"] == "equations.html#eq-32"
     assert places["James (2021)"] == "bibliography.html#james-2021"
     file, line = places["Lemmas 4"].removeprefix("sources/").split(".html#L-")

@@ -8,11 +8,11 @@ import pytest
 import yaml
 from campaigns import solved_points
 from pages import load_script
-from projects import ROOT
 
 from granular_fronts.campaign.definition import check_campaign
 from granular_fronts.campaign.measures import EQUATION_ERRORS, LARGEST_EXPONENT
 from granular_fronts.studies.ring_limit import resolutions
+from projects import ROOT
 
 MEASURED = load_script("measured")
 ENTRIES = yaml.safe_load(MEASURED.ENTRIES.read_text(encoding="utf-8"))

@@ -6,6 +6,7 @@ It needs the packages that build the manual, which `make docs` installs.
 import os
 
 import pytest
+
 from projects import ROOT
 
 nbformat = pytest.importorskip("nbformat")

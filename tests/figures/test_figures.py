@@ -1,17 +1,18 @@
 """Files of a figure: reproducible, with a filled caption, and with the names of their data.
 
-What each figure shows is checked in `test_figure_contents`.
+What each figure shows is checked in `test_figures_of_a_run`.
 """
 
-import importlib
 import json
+from types import SimpleNamespace
 
 import matplotlib.pyplot as plt
 import pytest
 from chains import driven_scene
-from projects import ROOT
+from fig03 import fig03
 
-import figure_step
+import drawing
+from captions import read_texts
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.output.datasets import (
     DatasetError,
@@ -19,6 +20,7 @@ from granular_fronts.output.datasets import (
     read_dataset,
     write_dataset,
 )
+from projects import ROOT
 
 BEADS = 24
 RECORD = {
@@ -44,17 +46,13 @@ def path(tmp_path_factory):
 ENDINGS = {"pdf": "pdf", "png": "png", "caption": "rst"}
 
 
-def make_files(path, stem, caption, reference=None):
+def make_files(path, stem, caption, paper=None):
     """Run the step of figure 3, with a caption of the test's."""
-    template = stem.with_suffix(".template")
-    template.write_text(caption, encoding="utf-8")
-    figure_step.write_figure(
-        importlib.import_module("plot_fig03").plot_fig03,
-        data=path,
-        template=template,
-        reference=reference or {},
-        **{name: stem.with_suffix(f".{ending}") for name, ending in ENDINGS.items()},
-    )
+    texts = stem.with_suffix(".texts")
+    texts.write_text(f"Title\n=====\n\n.. Words.\n\n{caption}", encoding="utf-8")
+    files = {name: stem.with_suffix(f".{ending}") for name, ending in ENDINGS.items()}
+    shown = {"scene": [{}, paper]}
+    drawing.write_figure(fig03, texts, SimpleNamespace(**files), shown, data=path)
 
 
 def test_saved_files_are_reproducible_whatever_looks_a_user_likes(path, tmp_path):
@@ -72,7 +70,7 @@ def test_saved_files_are_reproducible_whatever_looks_a_user_likes(path, tmp_path
 def test_files_name_the_data_and_the_caption_is_filled_with_what_was_computed(path, tmp_path):
     data = read_dataset(path)
     scene = configuration_of(data)
-    make_files(path, tmp_path / "fig", "γ = {{ data.law.gamma }}.", {"scene": scene})
+    make_files(path, tmp_path / "fig", "γ = {{ data.law.gamma }}.", scene)
     assert (tmp_path / "fig.rst").read_text(encoding="utf-8") == "γ = 0.06.\n"
     keyword = f"scene:{data.attrs['data_digest']}".encode()
     for ending in ("pdf", "png"):
@@ -82,7 +80,7 @@ def test_files_name_the_data_and_the_caption_is_filled_with_what_was_computed(pa
 def test_caption_says_where_the_scene_is_not_the_papers_and_holds_no_markup_of_data(path, tmp_path):
     scene = configuration_of(read_dataset(path))
     paper = scene | {"law": scene["law"] | {"gamma": 0.21}}
-    make_files(path, tmp_path / "fig", "A caption.", {"scene": paper})
+    make_files(path, tmp_path / "fig", "A caption.", paper)
     caption = (tmp_path / "fig.rst").read_text(encoding="utf-8")
     assert "law.gamma is 0.06 instead of 0.21." in caption
     make_files(path, tmp_path / "fig", "{{ '\n\n.. raw:: html\n\n   *x_*' }}{{ ', a:b' }}")
@@ -105,11 +103,8 @@ def test_captions_of_a_chain_say_what_it_does(gamma, end, said, unsaid):
     scene = driven_scene(gamma, BEADS, end, record=RECORD | {"snapshots": [end]})
     motion = simulate_chain(scene).assign_attrs(config=json.dumps(scene))
     captions = " ".join(
-        figure_step._fill(
-            (ROOT / f"workflow/report/{figure}.rst").read_text(encoding="utf-8"),
-            {"data": figure_step._described(motion)},
-        )
-        for figure in ("fig01", "fig02", "fig03")
+        drawing._fill(read_texts(texts).caption, {"data": drawing._described(motion)})
+        for texts in sorted((ROOT / "workflow/captions").glob("fig0[123]_*.rst"))
     )
     assert not [words for words in said.split(" | ") if words not in captions]
     assert not [words for words in unsaid.split(" | ") if words in captions]

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from pages import EXTENDING, blocks, carry_out, commands, run
 from potentials import cosh
-from projects import copy_project, lend_kernels, snakemake
 
 import granular_fronts as gf
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.scenes.yaml_files import read_yaml
+from projects import copy_project, lend_kernels, snakemake
 
 pytestmark = pytest.mark.slow
 

@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 from kernel_cases import CASES, solve_cases
 from numba.core.registry import CPUDispatcher
-from projects import ROOT
 
 from granular_fronts.numerics.compiled import (
     SOURCES,
@@ -21,6 +20,7 @@ from granular_fronts.numerics.compiled import (
     file_of,
 )
 from granular_fronts.numerics.source_code import file_digest
+from projects import ROOT
 
 READ = Path.read_bytes
 PACKAGES = sorted({file.parent.name for file in SOURCES.glob("*/__init__.py")})

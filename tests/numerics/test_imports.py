@@ -7,13 +7,14 @@ import subprocess
 import sys
 
 import pytest
-from projects import ROOT
 
 import granular_fronts
 from granular_fronts.numerics.imports import import_closure, module_files, named_in
+from projects import ROOT
 
 FOLDER = ROOT / "workflow/scripts"
-SOURCES = [ROOT / "src", ROOT / "workflow/lib", FOLDER, *FOLDER.glob("*/")]
+SOURCES = [ROOT / "src", ROOT / "workflow/lib", FOLDER, FOLDER / "figures"]
+SOURCES += sorted((ROOT / "projects").glob("*/"))
 FILES = module_files(*SOURCES)
 SCRIPTS = sorted(file.stem for file in [*FOLDER.glob("*.py"), *FOLDER.glob("*/*.py")])
 
@@ -84,31 +85,15 @@ def test_unknown_module_is_refused():
         import_closure(["measure_nothing"], FILES)
 
 
-LOOPS = (
-    'code=lambda wildcards: digest_of("study", f"granular_fronts.{STUDIES[wildcards.study][0]}")',
-    'code=code("figure_step", script_of(figure)), script=script_of(figure)',
-    "code=code(solving)",
-    '**table_params(table), script=script_file(TABLES[table]["script"])',
-)
-"""Parameters of rules that a loop makes: their code is that of the script that they name."""
-
-
 def test_every_rule_stands_on_the_imports_of_its_script():
-    text = "\n".join(file.read_text() for file in sorted((ROOT / "workflow/rules").glob("*.smk")))
-    parts = re.split(r"^(?= *(?:rule |rule:|checkpoint ))", text, flags=re.MULTILINE)
-    rules = [re.sub(r"\(\s+", "(", re.sub(r",\s+", ", ", rule)) for rule in parts]
-    by_loop = dict.fromkeys(LOOPS, 0)
-    for rule in (rule for rule in rules if "script:" in rule):
-        if looped := [asked for asked in LOOPS if asked in rule]:
-            by_loop[looped[0]] += 1
-            continue
-        script = re.search(r"/scripts/(?:\w+/)?(\w+)\.py", rule)[1]
-        by_string = "import_module(" in FILES[script].read_text()
-        asked = f'code=code("{script}", ' if by_string else f'code=code("{script}")'
-        if script == "solve_chunk":  # What it imports depends on the campaign.
-            asked = f'code=campaign_code("{script}")'
-        assert asked in rule, script
-    assert set(by_loop.values()) == {1}
+    rules = sorted([*(ROOT / "workflow/rules").glob("*.smk"), *ROOT.glob("projects/*/rules.smk")])
+    for file in rules:
+        parts = re.split(r"^(?=(?:use )?rule )", file.read_text(), flags=re.MULTILINE)
+        for rule in (one for one in parts if "script:" in one):
+            script = re.search(r"/?(\w+)\.py\"", rule[rule.index("script:") :])[1]
+            # What a study or a chunk imports depends on its wildcards.
+            if script not in ("study", "solve_chunk"):
+                assert re.search(rf"code=code\(\s*\"{script}\"", rule), (file, script)
 
 
 def test_no_module_takes_a_public_name_that_is_imported_when_it_is_used():

@@ -6,11 +6,11 @@ import sys
 from pathlib import Path
 
 import pytest
-from projects import ROOT
 
 from granular_fronts.arguments import new_file
 from granular_fronts.errors import InputError, NoSpaceError
 from granular_fronts.output.files import HOST, complete_file, remove_leftovers
+from projects import ROOT
 
 ABOVE_ANY_PROCESS = 2**22 + 1
 """Linux numbers no process above 2^22."""

@@ -10,11 +10,11 @@ import xarray as xr
 from chains import driven_scene
 from compare_periodic_chain import compare_periodic_chain
 from compute_heteroclinic import compute_heteroclinic
+from dataset_parameters import default_parameters
 from initiate_front import initiate_front
 from study import study
 from tabulate_statements import find_measure
 
-from dataset_parameters import default_parameters
 from granular_fronts.accuracy import Estimate
 from granular_fronts.errors import InputError
 from granular_fronts.output.departures import departures

@@ -11,7 +11,6 @@ import flint
 import numpy as np
 import pytest
 from certificates import KEPT, PROVED, at, changed, enclosed, load, proved, setting
-from projects import ROOT
 
 import granular_fronts as gf
 from granular_fronts.proofs import arrays
@@ -20,6 +19,7 @@ from granular_fronts.proofs.balls import NotProvedError, in_a_sentence, in_balls
 from granular_fronts.proofs.checker import check_certificate
 from granular_fronts.proofs.dashpots import ahead
 from granular_fronts.proofs.dashpots.existence import approximate_strain
+from projects import ROOT
 
 
 @pytest.mark.parametrize("name", PROVED)

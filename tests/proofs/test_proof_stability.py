@@ -5,7 +5,6 @@ import pytest
 import scipy.linalg
 from certificates import enclosed
 from flint import arb
-from projects import ROOT
 from scipy.interpolate import CubicSpline
 
 import granular_fronts as gf
@@ -13,6 +12,7 @@ from granular_fronts.fronts.linear.floquet import monodromy_matrix
 from granular_fronts.fronts.shooting.solve import shoot_front
 from granular_fronts.proofs.balls import in_balls
 from granular_fronts.proofs.stability import _behind, stable
+from projects import ROOT
 
 ALPHA = 1.5
 

@@ -7,13 +7,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from flint import acb, arb, fmpq
-from projects import ROOT
 
 import granular_fronts as gf
 from granular_fronts.fronts.linear.critical_damping import meaning_changes_at
 from granular_fronts.proofs import tail_roots
 from granular_fronts.proofs.balls import NotProvedError, in_balls
 from granular_fronts.proofs.tail_roots import Law
+from projects import ROOT
 
 HERTZ = Fraction(3, 2)
 CRITICAL = [Fraction(alpha) for alpha in ("17/16", "9/8", "5/4", "3/2", "2", "3", "5")]

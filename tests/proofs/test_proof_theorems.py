@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 from certificates import KEPT, enclosed, floats, load, proved
 from flint import arb
-from projects import ROOT
 
 import granular_fronts as gf
 from granular_fronts.proofs import arrays, balls
@@ -23,6 +22,7 @@ from granular_fronts.proofs.consequences import normalise, shape
 from granular_fronts.proofs.dashpots import ahead
 from granular_fronts.proofs.families import certificates_below, conclude, prove_family
 from granular_fronts.proofs.uniqueness import FINENESS, _Neighbourhood, unique
+from projects import ROOT
 
 SHIPPED = ROOT / "docs/certificates"
 FAMILY = SHIPPED / "critical_damping"

@@ -10,7 +10,6 @@ import pytest
 from half_steps import half_steps, write_dump
 from lammps import LAMMPS, needs_lammps
 from pages import README, commands, run
-from projects import ROOT
 from write_referee import write_referee
 
 from granular_fronts.referee.answers import solve
@@ -22,6 +21,7 @@ from granular_fronts.referee.settings import read_settings
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.half_step_damping import _measure_excess, measure_half_step_damping
 from granular_fronts.studies.half_step_motions import Case, collision_time
+from projects import ROOT
 
 DOCUMENT = ROOT / "docs" / "practitioners.md"
 PAGE = DOCUMENT.read_text(encoding="utf-8")

@@ -5,7 +5,6 @@ import re
 import numpy as np
 import pytest
 from half_steps import half_steps, write_table
-from projects import ROOT
 from scipy.integrate import solve_ivp
 from write_referee import write_referee
 
@@ -23,6 +22,7 @@ from granular_fronts.referee.measurements import excess_damping, first_peak, rea
 from granular_fronts.referee.problems import in_words, load_problems
 from granular_fronts.referee.results_files import Result, read_result
 from granular_fronts.referee.settings import read_settings
+from projects import ROOT
 
 SETTINGS = read_settings(ROOT / "config" / "referee.yaml").plain()
 PROBLEMS = load_problems(SETTINGS)

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 import xarray as xr
 from lammps import LAMMPS, needs_lammps
-from projects import ROOT
 from rings import assert_order
 from scipy.integrate import solve_ivp
 
@@ -16,6 +15,7 @@ from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import InputError
 from granular_fronts.reference_methods.half_step import Chain, integrate
 from granular_fronts.studies.chain_scenes import pressed_chain
+from projects import ROOT
 
 SCRIPT = ROOT / "tools" / "references" / "make_lammps_reference.py"
 OTHERS = xr.load_dataset(ROOT / "tests" / "references" / "other_codes_reference.nc")

@@ -13,11 +13,11 @@ from chains import driven_scene
 from configurations import assert_refused
 from matplotlib.axes import Axes
 from potentials import hertz
-from projects import ROOT
 
 import granular_fronts as gf
 from granular_fronts import arguments
 from granular_fronts.errors import InputError
+from projects import ROOT
 
 HUGE = 10**400
 

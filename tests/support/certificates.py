@@ -5,12 +5,12 @@ from copy import copy
 from functools import cache
 
 import numpy as np
-from projects import ROOT
 
 from granular_fronts.proofs import arrays
 from granular_fronts.proofs.balls import in_balls
 from granular_fronts.proofs.checker import Front, check_certificate, read
 from granular_fronts.proofs.dashpots.checker import DashpotFront
+from projects import ROOT
 
 DATA = ROOT / "tests/proofs/test_proof_data"
 PROVED = json.loads((DATA / "proved.json").read_text())

@@ -1,41 +1,6 @@
-"""Draw figures from their samples, and read what a panel shows: curves, colours, labels."""
+"""What a panel shows: curves, colours, labels."""
 
-import importlib
-from functools import cache
-
-import matplotlib.pyplot as plt
 import numpy as np
-import yaml
-from figure_samples import SAMPLES
-from projects import ROOT
-
-LISTED = yaml.safe_load((ROOT / "workflow" / "figures.yaml").read_text(encoding="utf-8"))
-
-
-def draw(figure, datasets):
-    """Call the script of a figure; matplotlib does not keep the figure open."""
-    name = LISTED[figure].get("script", f"plot_{figure}")
-    drawn = getattr(importlib.import_module(name), name)(**datasets)
-    plt.close(drawn)
-    return drawn
-
-
-@cache
-def sampled(figure):
-    """The sample of a figure, and the figure drawn of it, once for all tests."""
-    given = SAMPLES[figure]()
-    return given, draw(figure, given)
-
-
-def picture(figure):
-    """The datasets of a figure in their order, and its panels by the names the script gives."""
-    given, drawn = sampled(figure)
-    return *given.values(), panels(drawn)
-
-
-def panels(figure):
-    """Axes by name; colour bars hang on their images."""
-    return {axes.get_label(): axes for axes in figure.axes if axes.get_label() != "<colorbar>"}
 
 
 def curves(axes):
@@ -53,11 +18,6 @@ def legend(axes):
     """Entries of the legend of a panel, or else of its figure."""
     found = axes.get_legend() or axes.figure.legends[0]
     return [text.get_text() for text in found.get_texts()]
-
-
-def annotations(axes):
-    """Texts in a panel, without its labels."""
-    return [text.get_text() for text in axes.texts]
 
 
 def assert_curve(line, x, y):

@@ -7,6 +7,7 @@ import tomllib
 
 import pytest
 import yaml
+
 from projects import ROOT
 
 PINS = {"lint": "environment.txt", "docs": "docs-environment.txt"}

@@ -4,13 +4,12 @@ import re
 import shlex
 
 import pandas as pd
+import papers as papers_of_others
 import pytest
 import yaml
 from pages import ROOT, carry_out, commands, load_script
-from projects import copy_project, jobs_due, lend_kernels, snakemake
 from tabulate_statements import find_measure
 
-import papers as papers_of_others
 from granular_fronts.errors import InputError
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.statements import (
@@ -21,6 +20,7 @@ from granular_fronts.output.statements import (
     scenes_of,
 )
 from granular_fronts.scenes.yaml_files import read_yaml
+from projects import copy_project, jobs_due, lend_kernels, snakemake
 
 PAGE = ROOT / "docs" / "papers" / "your_paper.md"
 SUBJECTS = "A paper, in two", "A figure of a paper"

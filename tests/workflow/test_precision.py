@@ -13,9 +13,9 @@ import plot_fig14 as drawing
 import pytest
 import tabulate_speed_error as tabulating
 import xarray as xr
+from dataset_parameters import precision_problems
 from pictures import curves
 
-from dataset_parameters import precision_problems
 from granular_fronts.output.datasets import read_dataset, write_dataset
 from granular_fronts.scenes.yaml_files import load_configuration
 from peers.runs import Run, Stopwatch

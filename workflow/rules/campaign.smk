@@ -2,30 +2,32 @@
 
 
 rule solve_chunk:
+    """Some points of a grid."""
     input:
         # Kernels that are compiled again solve no chunk again.
-        kernels=ancient(campaign_kernels),
+        kernels=ancient(
+            lambda wildcards: KERNELS_OF_KIND[campaign_of(wildcards.campaign).file.kind]
+        ),
     output:
         dataset="<results>/data/campaigns/{campaign}/{chunk}.nc",
     params:
         code=campaign_code("solve_chunk"),
-        request=request_of,
+        request=lambda wildcards: requests_of(wildcards.campaign)[wildcards.chunk].as_json(),
     log:
         "<logs>/solve_chunk/{campaign}/{chunk}.log",
     benchmark:
         "<benchmarks>/solve_chunk/{campaign}/{chunk}.tsv"
-    message:
-        "Solving chunk {wildcards.chunk} of campaign {wildcards.campaign}."
     conda:
         "../envs/main.yaml"
     wildcard_constraints:
         campaign=CAMPAIGN_NAME,
         chunk="[0-9a-f]{16}",
     script:
-        "../scripts/campaign/solve_chunk.py"
+        "../scripts/solve_chunk.py"
 
 
 rule merge_campaign:
+    """The points of a grid in one dataset."""
     input:
         chunks=lambda wildcards: campaign_chunks(wildcards.campaign),
     output:
@@ -33,23 +35,21 @@ rule merge_campaign:
     params:
         code=code("merge_campaign"),
         campaign=lambda wildcards: campaign_of(wildcards.campaign).given,
-        name="{campaign}",
     log:
         "<logs>/merge_campaign/{campaign}.log",
     benchmark:
         "<benchmarks>/merge_campaign/{campaign}.tsv"
-    message:
-        "Merging the chunks of campaign {wildcards.campaign}."
     conda:
         "../envs/main.yaml"
     wildcard_constraints:
         campaign=CAMPAIGN_NAME,
     localrule: True
     script:
-        "../scripts/campaign/merge_campaign.py"
+        "../scripts/merge_campaign.py"
 
 
 rule summarise_campaign:
+    """Points of a grid as a table, and its failures, ranges and work."""
     input:
         dataset="<results>/data/campaigns/{campaign}.nc",
     output:
@@ -62,15 +62,13 @@ rule summarise_campaign:
         "<logs>/summarise_campaign/{campaign}.log",
     benchmark:
         "<benchmarks>/summarise_campaign/{campaign}.tsv"
-    message:
-        "Summing up campaign {wildcards.campaign}."
     conda:
         "../envs/main.yaml"
     wildcard_constraints:
         campaign=CAMPAIGN_NAME,
     localrule: True
     script:
-        "../scripts/campaign/summarise_campaign.py"
+        "../scripts/summarise_campaign.py"
 
 
 # The chunks are kept with what is made of them.  So one that a failed or killed job has lost is
@@ -82,5 +80,3 @@ rule campaign:
         points=lambda wildcards: f"{config['results']}/tables/campaign_{named_campaign()}.csv",
         dataset=lambda wildcards: f"{config['results']}/data/campaigns/{named_campaign()}.nc",
         chunks=lambda wildcards: campaign_chunks(named_campaign()),
-    message:
-        "The campaign is done: {input.table}, {input.points}, {input.dataset}."

@@ -3,16 +3,12 @@
 Nothing is written by that.
 """
 
-CAMPAIGNS = "config/campaigns"
 CAMPAIGN_NAME = "[a-z][a-z0-9_]*(?<!_summary)"
 KERNELS_OF_KIND = {
-    "chain": rules.compile_kernels.output.stamp,
-    "motion": rules.compile_kernels.output.stamp,
-    "front": rules.compile_front_kernels.output.stamp,
-    "ring": [
-        rules.compile_kernels.output.stamp,
-        rules.compile_continuum_kernels.output.stamp,
-    ],
+    "chain": kernels("chain"),
+    "motion": kernels("chain"),
+    "front": kernels("fronts"),
+    "ring": kernels("chain", "continuum", "reference_methods"),
 }
 
 
@@ -21,15 +17,13 @@ def campaign_of(name):
     """Read a campaign and check it; nothing of this is loaded before a campaign is asked for."""
     from granular_fronts.campaign.definition import load_campaign
 
+    folders = [
+        folder for folder in glob("projects/*/campaigns") if f"{name}.yaml" in os.listdir(folder)
+    ]
     try:
-        return load_campaign(CAMPAIGNS, name)
+        return load_campaign([*folders, "config/campaigns"][0], name)
     except InputError as error:
         sys.exit(f"The campaign cannot be computed.\n{error}")
-
-
-def campaign_kernels(wildcards):
-    """Return the stamps of the kernels that solve a campaign."""
-    return KERNELS_OF_KIND[campaign_of(wildcards.campaign).file.kind]
 
 
 def campaign_code(script):
@@ -55,11 +49,6 @@ def requests_of(name):
 def campaign_chunks(name):
     """Return the files of the chunks of a campaign."""
     return [os.path.join(chunk_folder(name), f"{chunk}.nc") for chunk in requests_of(name)]
-
-
-def request_of(wildcards):
-    """Return kind, settings and points of a chunk as JSON."""
-    return requests_of(wildcards.campaign)[wildcards.chunk].as_json()
 
 
 def named_campaign():

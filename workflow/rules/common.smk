@@ -1,27 +1,17 @@
-"""Paths of all files, and functions that several rules share."""
+"""Where things are, and the functions that several rules share."""
 
-import hashlib
 import os
 import sys
 from functools import cache
 from glob import glob
 from pathlib import Path
 
-PROJECT = workflow.basedir
-SOURCE = os.path.join(PROJECT, "src")
-LIBRARY = os.path.join(PROJECT, "workflow", "lib")
-SCRIPTS = os.path.join(PROJECT, "workflow", "scripts")
-DRAWING = os.path.join(SCRIPTS, "figures")
-# Each paper of others has its own scripts.
-PAPERS = sorted(glob(os.path.join(PROJECT, "papers", "*", "")))
-
-# The package and its compiled kernels are found without an installation, here and by the jobs.
-sys.path[:0] = [SOURCE, LIBRARY]
-# Jobs start in this folder. Relative paths hold no colon, at which PYTHONPATH would be cut.
-PATHS = map(os.path.relpath, [SOURCE, LIBRARY, DRAWING, *PAPERS])
+# Jobs start in this folder and find the package without an installation.
+SOURCE, LIBRARY = "src", "workflow/lib"
+sys.path[:0] = [os.path.join(workflow.basedir, folder) for folder in (SOURCE, LIBRARY)]
 os.environ.update(
-    PYTHONPATH=os.pathsep.join(filter(None, [*PATHS, os.environ.get("PYTHONPATH")])),
-    NUMBA_CACHE_DIR=os.path.join(PROJECT, ".numba_cache"),
+    PYTHONPATH=os.pathsep.join(filter(None, [SOURCE, LIBRARY, os.environ.get("PYTHONPATH")])),
+    NUMBA_CACHE_DIR=os.path.join(workflow.basedir, ".numba_cache"),
     # A notebook hands its child processes a backend that the pinned packages lack.
     MPLBACKEND="agg",
     # Pydantic would look for plugins in every installed package, at each start of a job.
@@ -43,30 +33,30 @@ for names, form in (
     if sum(word.partition("=")[0] in names for word in sys.argv) > 1:
         sys.exit(f"{names[0]} is given twice, but Snakemake reads only the last: write {form}.")
 
-from granular_fronts.numerics.source_code import code_digest
+from captions import contents, files_of, read_texts
+from granular_fronts.errors import InputError, exit_on_error
+from granular_fronts.scenes.configuration import folder_errors, validate_configuration
+from granular_fronts.scenes.sentences import read_part
+from granular_fronts.scenes.yaml_files import load_configuration, merge, read_yaml
 from granular_fronts.numerics.imports import import_closure, module_files
+from granular_fronts.numerics.source_code import code_digest
 
 MODULES = module_files(
-    *map(Path, [SOURCE, LIBRARY, SCRIPTS, *sorted(glob(os.path.join(SCRIPTS, "*", ""))), *PAPERS])
+    *(
+        Path(workflow.basedir, folder)
+        for folder in (SOURCE, LIBRARY, "workflow/scripts", "workflow/scripts/figures")
+    ),
+    *map(Path, sorted(glob(os.path.join(workflow.basedir, "projects", "*", "")))),
 )
-# It hands a script what the rule names, and has no part in what comes out.
-del MODULES["step"]
-
-
-def script_file(name):
-    """Return the path of a script from this folder, for a rule that a loop makes."""
-    return os.path.relpath(MODULES[name], os.path.join(PROJECT, "workflow", "rules"))
-
-
-# Of a timing, which must run alone: Snakemake cuts it down to the cores of the call.
-ALL_CORES = os.cpu_count()
+# It has no part in what a script makes.
+del MODULES["job"]
 
 
 @cache
 def digest_of(*names):
     """Return a digest of the code of some modules and of all that these import."""
     files = [MODULES[name] for name in import_closure(names, MODULES)]
-    return code_digest(files, Path(PROJECT))
+    return code_digest(files, Path(workflow.basedir))
 
 
 def code(*names):
@@ -78,10 +68,37 @@ def code(*names):
     return lambda wildcards: digest_of(*(name.format(wildcards=wildcards) for name in names))
 
 
-def contents(files):
-    """Return a digest of what files hold, so that a stage notices when files change that no rule makes for it."""
-    digest = hashlib.sha256()
-    for file in files:
-        with open(file, "rb") as opened:
-            digest.update(opened.read())
-    return digest.hexdigest()
+def measured_by(statements):
+    """Return the modules whose functions the statements of a file name as their measures."""
+    measures = {statement["measure"].rpartition(".")[0] for statement in read_yaml(statements)}
+    return sorted(f"granular_fronts.{one}" if one not in MODULES else one for one in measures)
+
+
+def figure(stem, texts="workflow/captions"):
+    """Return the files of a figure, for the output of its rule; its texts are in a folder."""
+    return {
+        "pdf": f"<results>/figures/{stem}.pdf",
+        "png": report(
+            f"<results>/figures/{stem}.png",
+            caption=os.path.abspath(f"{config['results']}/figures/{stem}.rst"),
+            category="Figures",
+            labels={"figure": stem, "title": read_texts(f"{texts}/{stem}.rst").title},
+        ),
+        "caption": f"<results>/figures/{stem}.rst",
+    }
+
+
+def table(stem):
+    """Return the files of a table, for the output of its rule: all digits, and for reading."""
+    return {"csv": f"<results>/tables/{stem}.csv", "markdown": f"<results>/tables/{stem}.md"}
+
+
+def project_settings(name, part):
+    """Return the settings of a project as they are computed, and those of its own config.yaml.
+
+    `part` is the class that describes them; a configuration changes them below projects.NAME.
+    """
+    with exit_on_error(f"The project {name} cannot be computed."):
+        own = load_configuration(f"projects/{name}/config.yaml")
+        given = merge(own, config.get("projects", {}).get(name, {}))
+        return [read_part(part, settings, f"{name}: ").plain() for settings in (given, own)]

@@ -1,39 +1,64 @@
-"""One page with figures, captions, tables, configuration and run times."""
+"""The tests of the finished files, and one page with figures, tables, configuration and times."""
 
-# Titles and texts of the figures and tables of the page, by the stem of their files.
-SHOWN_FIGURES = {
-    stem_of(figure): FIGURES[figure]
-    for figure in FIGURES
-    if figure in DEFAULT_FIGURES or stem_of(figure) in ON_DEMAND
-}
-SHOWN_TABLES = {
-    f"tables/{table}": TABLES[table]
-    for table in TABLES
-    if table in DEFAULT_TABLES or f"tables/{table}" in ON_DEMAND
-}
+# Texts of all that the page shows, in its order.
+TEXTS = [
+    *(figure.input.texts for figure in FIGURES),
+    "workflow/captions/table_paper_numbers.rst",
+    "workflow/captions/table_findings.rst",
+    "workflow/captions/table_front_errors.rst",
+    "workflow/captions/table_front_properties.rst",
+    "workflow/captions/table_critical_damping.rst",
+    "workflow/captions/table_materials.rst",
+    "workflow/captions/table_jump_conditions.rst",
+]
 
 
-rule write_report:
+# Of projects the page shows what is there when the workflow starts, and never causes a computation.
+PROJECT_TEXTS = [
+    texts
+    for texts in sorted(glob("projects/*/captions/*.rst"))
+    if all(file.exists() for file in files_of(texts, config["results"]))
+]
+
+
+rule check_results:
+    """The tests of the finished files; nothing is called done before they pass."""
     input:
-        template="workflow/report/page.html.j2",
-        files=FIGURE_FILES + TABLE_FILES,
-        datasets=DATASETS,
+        tests=sorted(glob("tests/artefacts/*.py")),
+        datasets=data(*DATASETS),
+        figures=rules.figures.input,
+        tables=rules.tables.input,
+    output:
+        verdict="<results>/checks.txt",
+    params:
+        code=code("check_results"),
+        results=subpath(output.verdict, parent=True),
+        datasets={name: [parameters(name), parameters(name, DEFAULTS)] for name in DATASETS},
+        figures=[Path(figure.input.texts).stem for figure in FIGURES],
+    log:
+        "<logs>/check_results.log",
+    benchmark:
+        "<benchmarks>/check_results.tsv"
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/check_results.py"
+
+
+rule report:
+    """One page with figures, tables, configuration and run times."""
+    input:
+        template="workflow/page.html.j2",
+        texts=TEXTS,
+        files=[rules.figures.input, rules.tables.input],
         benchmarks=[
-            rules.compile_kernels.benchmark,
-            rules.compile_continuum_kernels.benchmark,
-            rules.compile_front_kernels.benchmark,
+            expand(rules.compile_kernels.benchmark, package=BELOW),
             expand(rules.initiate_front.benchmark, scene=config["scenes"]["chain"]),
-            expand(rules.compute_heteroclinic.benchmark, scene=config["scenes"]["heteroclinic"]),
             expand(rules.compare_periodic_chain.benchmark, scene=config["scenes"]["periodic"]),
+            expand(rules.compute_heteroclinic.benchmark, scene=config["scenes"]["heteroclinic"]),
             expand(rules.shoot_front.benchmark, scene=config["scenes"]["front"]),
-            STUDY_BENCHMARKS,
-            rules.tabulate_fronts.benchmark,
-            rules.tabulate_critical_damping.benchmark,
-            [f"<benchmarks>/plot_{figure}.tsv" for figure in DEFAULT_FIGURES],
-            rules.tabulate_materials.benchmark,
-            rules.tabulate_jump_conditions.benchmark,
-            rules.tabulate_paper_numbers.benchmark,
-            rules.tabulate_findings.benchmark,
+            expand(rules.study.benchmark, dataset=STUDIES),
+            [one.benchmark for one in FIGURES + TABLES],
             rules.check_results.benchmark,
         ],
         verdict=rules.check_results.output.verdict,
@@ -42,29 +67,14 @@ rule write_report:
     params:
         code=code("write_report"),
         configuration=config,
-        figures=lambda wildcards: SHOWN_FIGURES,
-        tables=lambda wildcards: SHOWN_TABLES,
+        texts=TEXTS + PROJECT_TEXTS,
         results=subpath(output.page, parent=True),
-        contents=contents(file for files in ON_DEMAND.values() for file in files),
+        contents=contents(PROJECT_TEXTS, config["results"]),
     log:
-        "<logs>/write_report.log",
+        "<logs>/report.log",
     benchmark:
-        "<benchmarks>/write_report.tsv"
-    message:
-        "Writing the report."
+        "<benchmarks>/report.tsv"
     conda:
         "../envs/main.yaml"
     script:
-        "../scripts/report/write_report.py"
-
-
-rule report:
-    """One page with figures, tables, configuration and run times."""
-    input:
-        rules.write_report.output,
-        # A page is not up to date while something that it shows is missing.
-        FIGURE_FILES,
-        TABLE_FILES,
-        DATASETS,
-    message:
-        "The report is written: {input[0]}."
+        "../scripts/write_report.py"

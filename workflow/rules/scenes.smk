@@ -1,59 +1,86 @@
-"""Scenes, a dataset each; in brackets the section of the paper.
-
-They are chains (3.3), rings and their amplitude equations (4), heteroclinic orbits (5) and exact
-fronts of the lattice (6).
-"""
-
-# For each family: the rule and its script, the packages whose kernels it needs, its priority, its words.
-SOLVED_BY = {
-    "chain": ("initiate_front", ["chain"], 0, "Solving the chain"),
-    "periodic": (
-        "compare_periodic_chain",
-        ["chain", "continuum"],
-        1,
-        "Solving the ring and the amplitude equations",
-    ),
-    "heteroclinic": ("compute_heteroclinic", ["continuum"], 0, "Computing the heteroclinic orbits"),
-    "front": ("shoot_front", ["fronts"], 0, "Solving the exact front, and what approximates it,"),
-}
+"""Scenes of the configuration, a dataset each."""
 
 
-def scenes_of(family):
-    """Return the scenes of a family by name, also those of papers."""
-    return config["scenes"][family] | scenes_of_papers(family)
+rule initiate_front:
+    """A chain that pressure, a piston or a striker sets in motion, section 3.3."""
+    input:
+        kernels("chain"),
+    output:
+        dataset="<results>/data/chain/{scene}.nc",
+    params:
+        code=code("initiate_front"),
+        scene=scene("chain"),
+    log:
+        "<logs>/initiate_front/{scene}.log",
+    benchmark:
+        "<benchmarks>/initiate_front/{scene}.tsv"
+    conda:
+        "../envs/main.yaml"
+    wildcard_constraints:
+        scene="|".join(config["scenes"]["chain"]),
+    script:
+        "../scripts/initiate_front.py"
 
 
-def scene_of(family):
-    """Return a function for `params`: the scene that the wildcard names."""
-    return lambda wildcards: scenes_of(family)[wildcards.scene]
+rule compare_periodic_chain:
+    """A ring of beads, and the amplitude equations from the same start, section 4."""
+    input:
+        kernels("chain", "continuum", "reference_methods"),
+    output:
+        dataset="<results>/data/periodic/{scene}.nc",
+    params:
+        code=code("compare_periodic_chain"),
+        scene=scene("periodic"),
+    log:
+        "<logs>/compare_periodic_chain/{scene}.log",
+    benchmark:
+        "<benchmarks>/compare_periodic_chain/{scene}.tsv"
+    conda:
+        "../envs/main.yaml"
+    wildcard_constraints:
+        scene="|".join(config["scenes"]["periodic"]),
+    priority: 1
+    script:
+        "../scripts/compare_periodic_chain.py"
 
 
-for folder, family in FAMILIES.items():
-    solving, packages, urgency, words = SOLVED_BY[family]
+rule compute_heteroclinic:
+    """Stationary fronts of the logarithmic KdV–Burgers equation, section 5."""
+    input:
+        kernels("continuum"),
+    output:
+        dataset="<results>/data/continuum/{scene}.nc",
+    params:
+        code=code("compute_heteroclinic"),
+        scene=scene("heteroclinic"),
+    log:
+        "<logs>/compute_heteroclinic/{scene}.log",
+    benchmark:
+        "<benchmarks>/compute_heteroclinic/{scene}.tsv"
+    conda:
+        "../envs/main.yaml"
+    wildcard_constraints:
+        scene="|".join(config["scenes"]["heteroclinic"]),
+    script:
+        "../scripts/compute_heteroclinic.py"
 
-    rule:
-        name:
-            solving
-        input:
-            kernels=stamps(packages),
-        output:
-            dataset=f"<results>/data/{folder}/{{scene}}.nc",
-        params:
-            code=code(solving),
-            # Snakemake looks for the script when the loop has ended.
-            script=script_file(solving),
-            scene=scene_of(family),
-            scene_id="{scene}",
-        log:
-            f"<logs>/{solving}/{{scene}}.log",
-        benchmark:
-            f"<benchmarks>/{solving}/{{scene}}.tsv"
-        message:
-            f"{words} of scene {{wildcards.scene}}."
-        conda:
-            "../envs/main.yaml"
-        wildcard_constraints:
-            scene="|".join(scenes_of(family)),
-        priority: urgency
-        script:
-            "{params.script}"
+
+rule shoot_front:
+    """An exact front of the lattice by two methods, and what approximates it, section 6."""
+    input:
+        kernels("fronts"),
+    output:
+        dataset="<results>/data/fronts/{scene}.nc",
+    params:
+        code=code("shoot_front"),
+        scene=scene("front"),
+    log:
+        "<logs>/shoot_front/{scene}.log",
+    benchmark:
+        "<benchmarks>/shoot_front/{scene}.tsv"
+    conda:
+        "../envs/main.yaml"
+    wildcard_constraints:
+        scene="|".join(config["scenes"]["front"]),
+    script:
+        "../scripts/shoot_front.py"

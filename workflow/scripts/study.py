@@ -1,27 +1,33 @@
-"""Make the dataset of a study."""
+"""Make the dataset of a study, one of those that stand above its rule."""
 
 from importlib import import_module
 from pathlib import Path
 
 from granular_fronts.output.datasets import write_dataset
-from step import run_step
+from job import job
 
 
-def study(section: dict, dataset: Path, module: str, function: str) -> None:
+def study(module: str, function: str, section: dict, dataset: str) -> None:
     """Compute a study and write its data.
 
     Parameters
     ----------
-    section : dict
-        Its part of the configuration, the arguments of its function.
-    dataset : Path
-        The netCDF file to write, of the study's name.
     module, function : str
-        What computes it, in the package.
+        What computes it, in granular_fronts.studies.
+    section : dict
+        Its part of the configuration, the arguments of the function.
+    dataset : str
+        The netCDF file to write, named after the study.
     """
-    computed = getattr(import_module(f"granular_fronts.{module}"), function)(**section)
-    write_dataset(computed, dataset, scene_id=dataset.stem, config=section)
+    computed = getattr(import_module(f"granular_fronts.studies.{module}"), function)(**section)
+    write_dataset(computed, dataset, scene_id=Path(dataset).stem, config=section)
 
 
 if __name__ == "__main__":
-    run_step(study, globals()["snakemake"])
+    with job(snakemake):
+        study(
+            snakemake.params.module,
+            snakemake.params.function,
+            snakemake.params.section,
+            snakemake.output.dataset,
+        )

@@ -94,7 +94,7 @@ def data_digest(dataset: xr.Dataset) -> str:
 
 
 def write_dataset(
-    dataset: xr.Dataset, path: Path, *, scene_id: str, config: Mapping[str, Any]
+    dataset: xr.Dataset, path: Path | str, *, scene_id: str, config: Mapping[str, Any]
 ) -> None:
     """Write a dataset with names, units and a digest, atomically.
 
@@ -102,7 +102,7 @@ def write_dataset(
     ----------
     dataset : xarray.Dataset
         Its data variables should carry `error_estimate` and `error_method`.
-    path : Path
+    path : Path or str
         Final name of the netCDF file.
     scene_id : str
     config : mapping

@@ -70,7 +70,7 @@ MODEL_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "dispe
 CHAIN_COLOUR, EQUATION_COLOUR = BLACK, BLUE
 # Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
 EXPONENT_LOOKS = ((BLUE, DASHED), (GREEN, DASH_DOTTED))
-# Whose solver it is, in figure 14.
+# Whose solver it is, in figure speed_error.
 PACKAGE_COLOURS = {
     "ours": BLACK,
     "upwind": ALARM_COLOUR,
@@ -166,7 +166,7 @@ def velocity_map() -> Colormap:
     return LinearSegmentedColormap.from_list("velocity", ["white", "#74c69a", "#063d22"])
 
 
-def save_figure(figure: Figure, pdf: Path, png: Path, datasets: Iterable[Any]) -> None:
+def save_figure(figure: Figure, pdf: Path | str, png: Path | str, datasets: Iterable[Any]) -> None:
     """Save both formats, each appearing under its name only when complete.
 
     Their keywords are the scenes of the datasets with the digests of their numbers.  The PDF

@@ -11,7 +11,9 @@ if TYPE_CHECKING:
     import pandas as pd
 
 
-def write_table(table: pd.DataFrame, rounded: pd.DataFrame, csv: Path, markdown: Path) -> None:
+def write_table(
+    table: pd.DataFrame, rounded: pd.DataFrame, csv: Path | str, markdown: Path | str
+) -> None:
     """Write a table with all digits as CSV and rounded as Markdown, each when it is complete."""
     with complete_file(csv) as unfinished:
         table.to_csv(unfinished, index=False)

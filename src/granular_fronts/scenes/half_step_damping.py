@@ -26,7 +26,7 @@ class ShownChain(Part):
 
 
 class HalfStepDamping(Part):
-    """The half-step scheme of discrete-element codes and accurate chains, δ = c = 1; figure 22."""
+    """The half-step scheme of discrete-element codes and accurate chains, δ = c = 1."""
 
     alpha: Annotated[float, Field(ge=1.5, le=1.5)] = Field(
         description="Exponent α of the elastic force; the damping is measured for 1.5 alone."

@@ -76,7 +76,7 @@ class Proofs(Part):
     """Fronts that are proved by ball arithmetic (β = α, δ = c = 1), by the target proofs."""
 
     fronts: Named[ProvedFront] = Field(description="Single fronts; the key names the certificate.")
-    shown: str = Field(min_length=1, description="Name of the front of figure 24.")
+    shown: str = Field(min_length=1, description="Name of the front of figure enclosed_front.")
     intervals: Named[Family] = Field(
         description="Families of fronts for all γ of an interval; the key names the family."
     )
@@ -89,7 +89,7 @@ class Proofs(Part):
                 f"{', '.join(self.fronts)}."
             )
         elif self.fronts[self.shown].beta:
-            yield f"shown is {self.shown}, with β = 1, but figure 24 needs β = α: choose another."
+            yield f"shown is {self.shown}, with β = 1, but its figure needs β = α: choose another."
 
 
 def _problems_of_ends(key: str, ends: tuple[float, ...]) -> Iterator[str]:

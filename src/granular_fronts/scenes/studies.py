@@ -179,7 +179,7 @@ class Materials(Part):
 
 
 class DampingRegimes(Part):
-    """Damping against velocity, equation (29), drawn in figure 18."""
+    """Damping against velocity, equation (29), drawn in figure damping_regimes."""
 
     alpha: Exponent = Field(description=ALPHA)
     betas: Listed[ViscousExponent] = Field(description=BETAS)
@@ -232,7 +232,7 @@ class ThetaProfile(ThetaMotion):
 
 
 class NumericalDamping(Part):
-    """The θ-method on a conservative chain, and damped chains, drawn in figure 19."""
+    """The θ-method on a conservative chain, and damped chains."""
 
     alpha: Annotated[float, Field(ge=1)] = Field(description=ALPHA)
     displacement: Positive = Field(
@@ -358,7 +358,7 @@ class Lattice(Part):
 
 
 class JumpConditions(Part):
-    """Fronts between two states, solved and driven, against equations (12) to (17); figure 17."""
+    """Fronts between two states, solved and driven, against equations (12) to (17)."""
 
     beads: Annotated[int, Field(ge=64, le=100_000)] = Field(
         description="How many beads a driven front passes."

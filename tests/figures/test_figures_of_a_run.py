@@ -1,0 +1,306 @@
+"""Every figure is drawn from the data of a run, and each curve is the variable it should be."""
+
+import importlib
+import re
+from functools import cache
+from string import ascii_lowercase
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from matplotlib.collections import QuadMesh
+from matplotlib.colors import to_rgba
+
+from captions import read_texts
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.style import ALARM_COLOUR, LOOKS
+from projects import ROOT, copy_project, lend_kernels, snakemake
+
+U, V = "relative_displacement", "velocity"
+RINGS = {"weak": "periodic/weak", "hertz": "periodic/hertz"}
+FRONTS = {"underdamped": "fronts/underdamped", "overdamped": "fronts/overdamped"}
+MODELS = ("logarithmic", "unlimited", "heteroclinic")
+MULTIPLIERS = [
+    *["essential_multiplier_imaginary over essential_multiplier_real"] * 2,
+    *["multiplier_imaginary over multiplier_real"] * 3,
+]
+
+FIGURES = {
+    "fig01": {"data": "chain/initiation_underdamped"},
+    "fig02": {"data": "chain/initiation_underdamped"},
+    "fig03": {"data": "chain/initiation_overdamped"},
+    "fig04": {"data": "continuum/log_burgers_fronts"},
+    "fig05": RINGS,
+    "fig06": {"data": "periodic/weak"},
+    "model_error": RINGS,
+    "fig08": {"data": "continuum/front_profiles"},
+    "exact_fronts": FRONTS,
+    "fronts_compared": {"scenes": [*FRONTS.values()]},
+    "continuum_errors": {"data": "fronts/survey"},
+    "critical_damping": {"data": "fronts/critical_damping", "materials": "laws/materials"},
+    "multipliers": {"data": "fronts/multipliers"},
+    "jump_conditions": {"data": "laws/jump_conditions"},
+    "damping_regimes": {"data": "laws/damping_regimes"},
+    "numerical_damping": {"data": "laws/numerical_damping"},
+}
+"""What the function of each figure is given."""
+
+SHOWN = {
+    "fig01 steady": [f"{U}_steady over t_steady"],
+    "fig01 transient": [f"{U}_transient over t_transient"],
+    "fig01 snapshot": [f"{V} over bead"],
+    "fig02 displacement": [f"{U}_grid"],
+    "fig02 velocity": [f"{V}_grid"],
+    "fig03 transient": [f"{U}_transient over t_transient"],
+    "fig03 displacement": [f"{U}_grid"],
+    "fig04 flux": [
+        *["flux over force", "compression over force"] * 2,
+        *["flux_limit over force", "force over force"],
+    ],
+    "fig04 front": ["front over xi", "front over xi", "front_limit over xi"],
+    "fig05 relative_displacement": [f"{U} over bead"],
+    "fig05 velocity": [f"{V} over bead"],
+    "fig06 relative_displacement *": [f"{U}_logarithmic over site", f"{U} over bead"],
+    "fig06 velocity *": [f"{V}_logarithmic over site", f"{V} over bead"],
+    "fig08 well": ["potential over y"],
+    "fig08 front *": ["rescaled_force over s"],
+    "exact_fronts u *": [f"{U} over xi", f"{U}_shooting over xi_shooting"],
+    "continuum_errors": [f"distance_{model} over gamma" for model in MODELS],
+    "critical_damping plane": [
+        *(f"critical_damping_{name} over alpha" for name in ("tail", "double_root")),
+        *(f"critical_damping_{name} over alpha" for name in ("long_wave", "overshoot")),
+        *["second_peak_leads over alpha", "first_peak_stays_below over alpha"],
+    ],
+    "multipliers underdamped": MULTIPLIERS,
+    "multipliers overdamped": MULTIPLIERS,
+    "jump_conditions profile": ["profile over xi"],
+    "damping_regimes gamma": ["gamma over velocity_ratio"],
+    "damping_regimes restitution": ["restitution over velocity_ratio"],
+    "numerical_damping profile": [f"{U}_{run} over bead" for run in ("conservative", "damped")]
+    + [f"{U}_method over bead"],
+    "numerical_damping order": ["damping_distance over step", "conservative_distance over step"],
+} | {
+    f"{figure} {field} *": variables
+    for field in (U, V)
+    for figure, variables in (
+        (
+            "model_error",
+            [
+                f"{field}_{kind}_{model} over t_grid"
+                for model in MODELS[:2]
+                for kind in ("sup", "rms")
+            ],
+        ),
+        (
+            "fronts_compared",
+            [
+                f"{field}_driven over xi_driven",
+                *(f"{field}_{model} over xi" for model in MODELS),
+                f"{field} over xi",
+            ],
+        ),
+    )
+}
+"""What the curves and planes of each panel show, in the order in which they are drawn, repeated."""
+
+
+@cache
+def finished_run():
+    """The results folder of a run; where `make` has not left one, the small run of the tests."""
+    if (ROOT / "results/checks.txt").exists():
+        return ROOT / "results"
+    project = ROOT / ".pytest_cache/small run"
+    if not project.exists():
+        project.mkdir(parents=True)
+        copy = lend_kernels(copy_project(project))
+        run = snakemake("--configfile", "config/smoke.yaml", folder=copy)
+        assert run.returncode == 0, run.stderr
+    return project / "copy/results/smoke"
+
+
+@cache
+def picture(figure):
+    """The data of a figure in a list, and its panels by their names; drawn once for all tests."""
+
+    def read(name):
+        return read_dataset(finished_run() / f"data/{name}.nc")
+
+    given = {
+        argument: [read(one) for one in name] if isinstance(name, list) else read(name)
+        for argument, name in FIGURES[figure].items()
+    }
+    return draw(figure, given)
+
+
+def draw(figure, given):
+    """As `picture`, of given datasets."""
+    drawn = getattr(importlib.import_module(figure), figure)(**given)
+    plt.close(drawn)
+    every = [one for each in given.values() for one in (each if isinstance(each, list) else [each])]
+    panels = {axes.get_label(): axes for axes in drawn.axes if axes.get_label() != "<colorbar>"}
+    return every, panels
+
+
+def curves(axes):
+    """Lines of three points or more that show data, in the order in which they were drawn."""
+    lines = [line for line in axes.get_lines() if line.get_transform() is axes.transData]
+    return [line for line in lines if np.size(line.get_xdata()) > 2]
+
+
+def plane(axes):
+    """The coloured plane of a panel."""
+    [mesh] = [each for each in axes.collections if isinstance(each, QuadMesh)]
+    return mesh
+
+
+def holds(data, name, values):
+    """Whether a variable of some dataset holds all of these numbers."""
+    values = np.ma.filled(values, np.nan).astype(float).ravel()
+    values = values[np.isfinite(values)]
+    return values.size > 0 and any(
+        np.isin(values, one[name].values).all() for one in data if name in one.variables
+    )
+
+
+def panels_of(figure, pattern, panels):
+    """The panels that a name stands for: one, all that begin alike (*), or all of the figure."""
+    name = pattern.removeprefix(figure).strip()
+    if name.endswith("*"):
+        return [axes for label, axes in panels.items() if label.startswith(name[:-1])]
+    return [panels[name]] if name else [*panels.values()]
+
+
+@pytest.mark.parametrize("pattern", SHOWN)
+def test_panels_show_the_variables_that_their_names_say(pattern):
+    figure, shown = pattern.split()[0], SHOWN[pattern]
+    data, panels = picture(figure)
+    found = panels_of(figure, pattern, panels)
+    assert found
+    for axes in found:
+        if " over " not in shown[0]:
+            assert holds(data, shown[0], plane(axes).get_array())
+            continue
+        lines = [line for line in curves(axes) if not is_a_circle(line)]
+        assert len(lines) % len(shown) == 0 or pattern in ("fig08 front *", "fig05 velocity")
+        for line, words in zip(lines, shown * len(lines), strict=False):
+            ordinate, abscissa = words.split(" over ")
+            assert holds(data, ordinate, line.get_ydata()), words
+            assert holds(data, abscissa, line.get_xdata()), words
+
+
+def is_a_circle(line):
+    """Whether a curve is the unit circle or a diagonal, which is no data."""
+    x, y = line.get_data()
+    return np.allclose(np.hypot(x, y), 1.0) and np.size(x) > 100
+
+
+def test_a_curve_of_another_variable_would_be_noticed():
+    data, panels = picture("continuum_errors")
+    line = curves(next(iter(panels.values())))[0]
+    assert holds(data, "distance_logarithmic", line.get_ydata())
+    assert not holds(data, "distance_unlimited", line.get_ydata())
+    assert not holds(data, "distance_logarithmic", 1.01 * line.get_ydata())
+
+
+@pytest.mark.parametrize("figure", FIGURES)
+def test_caption_names_no_letter_that_the_figure_lacks(figure):
+    """Letters run along the rows, and a figure of one panel has none."""
+    _, panels = picture(figure)
+    letters = [f"({letter})" for letter in ascii_lowercase[: len(panels)]]
+    letters = letters if len(letters) > 1 else [""]
+    assert [axes.get_title("left") for axes in panels.values()] == letters
+    [texts] = [
+        file
+        for file in (ROOT / "workflow/captions").glob("*.rst")
+        if re.match(rf"{figure}(_|$)", file.stem)
+    ]
+    assert set(re.findall(r"\([a-p]\)", read_texts(texts).caption)) <= set(letters)
+
+
+def test_every_curve_of_one_meaning_has_one_look():
+    for figure in ("fronts_compared", "continuum_errors", "critical_damping"):
+        _, panels = picture(figure)
+        for axes in panels.values():
+            for line in curves(axes):
+                for look in LOOKS.values():
+                    if line.get_label() == look.label:
+                        assert line.get_color() == look.color
+
+
+def test_rest_is_white_and_gaps_are_red_on_one_scale():
+    scales = []
+    for figure in ("fig02", "fig03"):
+        mesh = plane(picture(figure)[1]["displacement"])
+        assert np.allclose(mesh.cmap(mesh.norm(0.0)), 1.0, atol=0.02)
+        assert mesh.cmap(mesh.norm(-50.0)) == to_rgba(ALARM_COLOUR)
+        scales.append((mesh.get_clim(), mesh.cmap(mesh.norm(0.05))))
+    assert scales[0] == scales[1]
+
+
+def test_each_bead_of_figure_1_is_named_above_its_largest_compression():
+    [data], panels = picture("fig01")
+    probes = data["relative_displacement_steady"]
+    for text, bead in zip(panels["steady"].texts, data["bead_steady"], strict=True):
+        curve = probes.sel(bead_steady=bead)
+        assert text.xy == (curve.idxmax(), curve.max())
+
+
+def test_gaps_wider_than_the_panel_of_figure_6_are_marked():
+    [data], panels = picture("fig06")
+    for row, time in enumerate(data["t"].values[1:]):
+        axes = panels[f"relative_displacement {row}"]
+        wide = data[U].sel(t=time) < axes.get_ylim()[0]
+        marks = [line for line in axes.get_lines() if line.get_marker() == "v"]
+        marked = [bead for line in marks for bead in line.get_xdata()]
+        np.testing.assert_array_equal(marked, data["bead"].where(wide, drop=True))
+        if wide.any():
+            assert f"gap of {-float(data[U].sel(t=time).min()):.2g}" in axes.texts[0].get_text()
+
+
+def test_errors_of_continuum_fronts_are_distances_to_the_exact_one():
+    scenes, panels = picture("fronts_compared")
+    for row, data in enumerate(scenes):
+        for line, model in zip(curves(panels[f"error {row}"]), MODELS, strict=True):
+            np.testing.assert_array_equal(line.get_ydata(), data[f"{U}_{model}"] - data[U])
+
+
+def test_the_phase_portrait_holds_its_orbit():
+    [data], panels = picture("fig08")
+    *trajectories, orbit = curves(panels["portrait"])[: data.sizes["trajectory"] + 1]
+    for line in trajectories:
+        assert holds([data], "slope_portrait", line.get_ydata())
+    assert holds([data.sel(mu=data.attrs["portrait_mu"])], "slope", orbit.get_ydata())
+
+
+def test_multipliers_that_rounding_moves_are_left_out():
+    [data], panels = picture("multipliers")
+    for scene in data["scene"].values:
+        windows = [line for line in curves(panels[scene]) if "behind" in str(line.get_label())]
+        for line, behind in zip(windows, data["beads_behind"].values, strict=True):
+            rounding = data["multiplier_rounding"].sel(scene=scene, beads_behind=behind).values
+            absent = np.isnan(data["multiplier_real"].sel(scene=scene, beads_behind=behind).values)
+            hidden = (rounding >= 1e-2) | absent
+            np.testing.assert_array_equal(np.isnan(line.get_xdata()), hidden)
+
+
+def test_jump_conditions_are_distances_over_the_sum_of_both_errors():
+    [data], panels = picture("jump_conditions")
+    names = ["speed_exact", "speed_travelling", "power_exact"]
+    names += ["speed_driven", "velocity_jump_driven", "power_driven"]
+    ratios = [*curves(panels["exact"]), *curves(panels["driven"])]
+    for ratio, error, name in zip(ratios, curves(panels["error"]), names, strict=True):
+        theory = name.rpartition("_")[0] + "_expected"
+        stated = data[f"{name}_error"] + data[f"{theory}_error"]
+        np.testing.assert_array_equal(ratio.get_xdata(), (data[name] - data[theory]) / stated)
+        np.testing.assert_array_equal(error.get_xdata(), abs(data[f"{name}_error"] / data[theory]))
+
+
+def test_damping_is_dashed_where_fronts_oscillate():
+    [data], panels = picture("damping_regimes")
+    drawn = iter(curves(panels["gamma"]))
+    for dashed, full, beta in zip(drawn, drawn, data["beta"], strict=True):
+        law = data.sel(beta=beta)
+        oscillating = (law["gamma"] < law["critical_gamma"]).values
+        assert dashed.is_dashed()
+        assert not full.is_dashed()
+        np.testing.assert_array_equal(np.isfinite(full.get_ydata()), ~oscillating)

@@ -1,0 +1,96 @@
+"""Critical damping in its several meanings, over the overshoot of the exact front."""
+
+import xarray as xr
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import BoundaryNorm
+from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
+
+from drawing import write_figure
+from granular_fronts.output.style import LOOKS, new_figure
+from granular_fronts.studies.materials import ALPHA
+from job import job
+
+# Places of the regions, as shares of the sides of the panel.
+REGIONS = {"fronts are monotone": (0.3, 0.9), "fronts oscillate": (0.6, 0.15)}
+PEAKS = ("second_peak_leads", "first_peak_stays_below")
+
+
+def critical_damping(data: xr.Dataset, materials: xr.Dataset) -> Figure:
+    """Draw the curves, and the overshoot as colour.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        The damping map.
+    materials : xarray.Dataset
+        Beads of remark 6.
+    """
+    figure, panels = new_figure(4.4, [["plane"]])
+    axes = panels["plane"]
+    _draw_overshoot(axes, data)
+    for name in ("tail", "double_root", "long_wave", "overshoot"):
+        axes.plot(
+            data["alpha"],
+            data[f"critical_damping_{name}"],
+            path_effects=[withStroke(linewidth=2.6, foreground="white")],
+            **LOOKS[name]._asdict(),
+        )
+    for name in PEAKS:
+        axes.plot(data["alpha"], data[name], linewidth=0.9, **LOOKS[name]._asdict())
+    _draw_materials(axes, materials)
+    exchange = data.attrs["exchange_exponent"]
+    axes.axvline(exchange, color="0.4", linewidth=0.7, linestyle=":")
+    axes.text(exchange, 0.95, r" $\alpha^*$", transform=axes.get_xaxis_transform(), va="top")
+    edge = [withStroke(linewidth=2.5, foreground="white")]
+    for words, place in REGIONS.items():
+        axes.text(*place, words, transform=axes.transAxes, fontsize=10, path_effects=edge)
+    axes.set(xlabel=r"exponent $\alpha$ of the contact force", ylabel=r"damping $\gamma c$")
+    axes.set(yscale="log", ylim=(data["gamma"][0], data["gamma"][-1]))
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside upper center", ncols=2)
+    return figure
+
+
+def _draw_overshoot(axes: Axes, data: xr.Dataset) -> None:
+    """Overshoot max u − 1 between its level curves; white below what is called too small to see."""
+    levels = [data.attrs["overshoot_cut"], *data["level"].values]
+    # A level that is passed below the panel, or nowhere, ends at its lower edge.
+    curves = [data["critical_damping_overshoot"], *data["overshoot_level"].fillna(0.0)]
+    edges = [*curves[1:], xr.zeros_like(curves[0])]
+    norm = BoundaryNorm([*levels, 10.0 * levels[-1]], 256)
+    colours = ScalarMappable(norm, colormaps["viridis_r"])
+    for level, upper, lower in zip(levels, curves, edges, strict=True):
+        colour = colours.to_rgba(level)
+        axes.fill_between(data["alpha"], lower, upper, color=colour, linewidth=0.0)
+    bar = axes.figure.colorbar(colours, ax=axes, label="overshoot of the front", ticks=levels)
+    bar.ax.yaxis.set_major_formatter(lambda value, _: f"{100.0 * value:g} %")
+
+
+def _draw_materials(axes: Axes, materials: xr.Dataset) -> None:
+    """The places of real beads in the plane of exponent and damping."""
+    edge = [withStroke(linewidth=2.5, foreground="white")]
+    for gamma in materials["gamma_printed"]:
+        axes.plot(ALPHA, gamma, "o", color="black", markeredgecolor="white", markersize=6)
+        axes.annotate(
+            str(gamma["material"].values),
+            (ALPHA, float(gamma)),
+            xytext=(7, 0),
+            textcoords="offset points",
+            va="center",
+            fontweight="bold",
+            path_effects=edge,
+        )
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        write_figure(
+            critical_damping,
+            snakemake.input.texts,
+            snakemake.output,
+            snakemake.params.shown,
+            data=snakemake.input.data,
+            materials=snakemake.input.materials,
+        )

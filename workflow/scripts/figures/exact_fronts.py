@@ -1,0 +1,92 @@
+"""Exact fronts of the lattice by two methods; after James (2021), section 6."""
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from drawing import write_figure
+from granular_fronts.output.panels import draw_profile
+from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
+from job import job
+
+METHODS = {"profile": (EQUATION_COLOUR, "-", "s"), "shooting": (CHAIN_COLOUR, ":", "o")}
+
+
+def exact_fronts(underdamped: xr.Dataset, overdamped: xr.Dataset) -> Figure:
+    """Draw profiles, the difference of the methods, and their residuals.
+
+    Parameters
+    ----------
+    underdamped, overdamped : xarray.Dataset
+        Front scenes of these names.
+    """
+    scenes = [underdamped, overdamped]
+    rows = [[f"{row} {column}" for column in range(2)] for row in ("u", "difference", "residual")]
+    figure, panels = new_figure(6.4, rows)
+    for column, data in enumerate(scenes):
+        _draw_profiles(panels[f"u {column}"], data)
+        _draw_difference(panels[f"difference {column}"], data)
+        _draw_residuals(panels[f"residual {column}"], data)
+    panels["u 0"].legend(loc="lower left")
+    panels["residual 0"].legend(loc="upper right")
+    return figure
+
+
+def _draw_profiles(axes: Axes, data: xr.Dataset) -> None:
+    """u(ξ) by the profile equation, and by shooting at whole and half beads."""
+    draw_profile(axes, data, color=METHODS["profile"][0], label="profile equation")
+    shot = data["relative_displacement_shooting"]
+    on_beads = np.isclose(shot["xi_shooting"] % 1.0, 0.0)
+    axes.plot(
+        shot["xi_shooting"][on_beads],
+        shot[on_beads],
+        "o",
+        color=METHODS["shooting"][0],
+        markersize=3,
+        fillstyle="none",
+        label="shooting",
+    )
+    law = rf"$\alpha = {data.attrs['alpha']:g}$, $\gamma c = {data.attrs['gamma']:.4g}$"
+    axes.set_title(law)
+
+
+def _draw_difference(axes: Axes, data: xr.Dataset) -> None:
+    """Difference of the two methods at every point of shooting."""
+    for field, label, marker in (
+        ("relative_displacement", "compression", "."),
+        ("velocity", "velocity", "x"),
+    ):
+        difference = data[f"{field}_difference"]
+        xi = difference["xi_shooting"]
+        axes.semilogy(xi, np.abs(difference), marker, markersize=2.5, label=label)
+    axes.set(ylabel="|difference|", xlabel=r"$\xi = n - ct$", ylim=(1e-18, 1e-11))
+    axes.legend(loc="upper right")
+
+
+def _draw_residuals(axes: Axes, data: xr.Dataset) -> None:
+    """Largest residual before each Newton or Gauss–Newton step."""
+    for method, (colour, line, marker) in METHODS.items():
+        residual = data[f"residual_history_{method}"]
+        axes.semilogy(
+            residual,
+            line,
+            marker=marker,
+            markersize=3.5,
+            fillstyle="none",
+            color=colour,
+            label=method,
+        )
+    axes.set(ylabel="residual", xlabel="step of the iteration")
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        write_figure(
+            exact_fronts,
+            snakemake.input.texts,
+            snakemake.output,
+            snakemake.params.shown,
+            underdamped=snakemake.input.underdamped,
+            overdamped=snakemake.input.overdamped,
+        )

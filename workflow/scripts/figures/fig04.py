@@ -1,0 +1,54 @@
+"""Figure 4: fluxes and stationary fronts of the amplitude equations; James (2021), figure 4."""
+
+from typing import Any
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from drawing import write_figure
+from granular_fronts.output.style import EXPONENT_LOOKS, new_figure
+from job import job
+
+
+def fig04(data: xr.Dataset) -> Figure:
+    """Draw f_α and y^(1/α) against y, and the fronts of (46) and (45).
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Tabulated fluxes and fronts.
+    """
+    figure, panels = new_figure(3.0, [["flux", "front"]])
+    for alpha, (colour, line) in zip(data["alpha"].values, EXPONENT_LOOKS, strict=False):
+        case = data.sel(alpha=alpha)
+        label = rf"$\alpha = {alpha:g}$"
+        panels["flux"].plot(data["force"], case["flux"], linestyle=line, color=colour)
+        panels["flux"].plot(data["force"], case["compression"], ":", color=colour)
+        panels["front"].plot(data["xi"], case["front"], linestyle=line, color=colour, label=label)
+    limit: dict[str, Any] = {
+        "color": "black",
+        "linestyle": "-",
+        "label": r"$\alpha \to 1^+$: logarithmic",
+    }
+    panels["flux"].plot(data["force"], data["flux_limit"], **limit)
+    panels["flux"].plot(data["force"], data["force"], ":", color="black")
+    panels["front"].plot(data["xi"], data["front_limit"], **limit)
+    panels["flux"].text(0.5, 0.75, r"compression $y^{1/\alpha}$", ha="right")
+    panels["flux"].text(0.98, -0.45, "flux", ha="right")
+    panels["flux"].set(xlabel="force $y$, over its value behind", ylabel=r"flux $f_\alpha(y)$")
+    panels["flux"].set(xlim=(0, 1), title="flux of the equation")
+    panels["front"].set(xlabel=r"place $\xi$", ylabel=r"compression $y_\alpha^{1/\alpha}$")
+    panels["front"].set(xlim=(-6, 4), title="its front")
+    panels["front"].legend()
+    return figure
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        write_figure(
+            fig04,
+            snakemake.input.texts,
+            snakemake.output,
+            snakemake.params.shown,
+            data=snakemake.input.data,
+        )

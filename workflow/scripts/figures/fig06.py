@@ -1,0 +1,71 @@
+"""Figures 6 and 7: ring and logarithmic Burgers equation; James (2021), figures 6 and 7."""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from drawing import write_figure
+from granular_fronts.output.panels import BEAD, FIELD_LABELS, finish_grid
+from granular_fronts.output.style import ALARM_COLOUR, CHAIN_COLOUR, EQUATION_COLOUR, new_figure
+from job import job
+
+# What is shown below zero, over what is above it; wider gaps are marked with their size.
+BELOW = 0.25
+
+
+def fig06(data: xr.Dataset) -> Figure:
+    """Draw relative displacements and velocities at every snapshot after the start.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Periodic scene weak for figure 6, and hertz for figure 7.
+    """
+    data = data.isel(t=slice(1, None))
+    rows = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(data.sizes["t"])]
+    figure, panels = new_figure(1.5 * len(rows) + 0.3, rows)
+    for row, names in enumerate(rows):
+        for name, field in zip(names, FIELD_LABELS, strict=True):
+            highest = float(data[field].max())
+            panels[name].set_ylim(-BELOW * highest, 1.08 * highest)
+            _draw_snapshot(panels[name], data.isel(t=row), field)
+        panels[names[0]].set_title(f"$t = {float(data['t'][row]):g}$")
+    finish_grid(figure, [panels[name] for name in rows[-1]], BEAD)
+    return figure
+
+
+def _draw_snapshot(axes: Axes, snapshot: xr.Dataset, field: str) -> None:
+    """One field of the ring and of the equation at one time."""
+    line, beads = snapshot[f"{field}_logarithmic"], snapshot[field]
+    words = "logarithmic Burgers equation"
+    axes.plot(line["site"], line, "-", color=EQUATION_COLOUR, label=words)
+    look: dict[str, Any] = {"color": CHAIN_COLOUR, "markersize": 2.5, "label": "ring of beads"}
+    axes.plot(beads["bead"], beads, ".", **look)
+    axes.set(ylabel=FIELD_LABELS[field], xlim=(0, int(beads["bead"][-1]) + 1))
+    lowest = axes.get_ylim()[0]
+    gaps = beads.where(beads < lowest, drop=True)
+    if gaps.size:
+        edge = np.full(gaps.size, lowest)
+        axes.plot(gaps["bead"], edge, "v", color=ALARM_COLOUR, markersize=4, clip_on=False)
+        axes.annotate(
+            f"gap of {-float(gaps.min()):.2g}",
+            (float(gaps["bead"][gaps.values.argmin()]), lowest),
+            xytext=(6, 2),
+            textcoords="offset points",
+            fontsize=7,
+            color=ALARM_COLOUR,
+        )
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        write_figure(
+            fig06,
+            snakemake.input.texts,
+            snakemake.output,
+            snakemake.params.shown,
+            data=snakemake.input.data,
+        )

@@ -1,0 +1,80 @@
+"""The theta-method damps like the Kuwabara–Kono law; James (2021), section 1."""
+
+from itertools import cycle
+
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from drawing import write_figure
+from granular_fronts.output.datasets import configuration_of
+from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, PROBE_COLOURS, new_figure
+from job import job
+
+MARKERS = "os^v"
+
+
+def numerical_damping(data: xr.Dataset) -> Figure:
+    """Draw a front of the method, damped and conservative chains, and their distances.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Numerical damping.
+    """
+    figure, panels = new_figure(3.4, [["profile", "order"]])
+    _draw_profile(panels["profile"], data)
+    _draw_distances(panels["order"], data)
+    return figure
+
+
+def _draw_profile(axes: Axes, data: xr.Dataset) -> None:
+    """u_n of the three chains."""
+    profile = configuration_of(data)["profile"]
+    gamma = (2.0 * profile["theta"] - 1.0) * profile["step"]
+    method = rf"$\theta = {profile['theta']:g}$, $h = {profile['step']:g}$"
+    lines = [
+        ("conservative", "-", "#b0b0b0", "chain without damping"),
+        ("damped", "-", EQUATION_COLOUR, rf"chain with damping, $\gamma = {gamma:g}$"),
+        ("method", ".", CHAIN_COLOUR, f"no damping, by the method, {method}"),
+    ]
+    for name, style, colour, label in lines:
+        values = data[f"relative_displacement_{name}"]
+        axes.plot(values["bead"], values, style, color=colour, markersize=4, label=label)
+    axes.set(
+        xlabel="bead $n$",
+        ylabel="compression $u_n$",
+        title=f"a front at $t = {profile['end_time']:g}$",
+        xlim=(0, profile["beads"]),
+    )
+    axes.set_ylim(top=1.4 * float(data["relative_displacement_conservative"].max()))
+    axes.legend(loc="upper left", handlelength=1.5, fontsize=7.5)
+
+
+def _draw_distances(axes: Axes, data: xr.Dataset) -> None:
+    """Distances of the method to the damped chain and to the conservative one, against h."""
+    looks = cycle(zip(PROBE_COLOURS, MARKERS, strict=False))
+    for theta, (colour, marker) in zip(data["theta"].values, looks, strict=False):
+        row = data.sel(theta=theta)
+        label = rf"$\theta = {theta:g}$, order {float(row['order']):.2f}"
+        look = {"color": colour, "marker": marker, "markersize": 3.5}
+        axes.loglog(row["step"], row["damping_distance"], "-", label=label, **look)
+        axes.loglog(row["step"], row["conservative_distance"], ":", **look)
+    axes.set(
+        xlabel="step $h$", ylabel=r"$\max_n |\Delta u_n|/\delta$", title="distance of the method"
+    )
+    axes.set_ylim(top=10.0)
+    words = "dotted: to the chain without damping"
+    axes.text(0.05, 0.97, words, transform=axes.transAxes, va="top", fontsize=8)
+    axes.legend(loc="lower right", title="full: to the chain with damping", title_fontsize=8)
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        write_figure(
+            numerical_damping,
+            snakemake.input.texts,
+            snakemake.output,
+            snakemake.params.shown,
+            data=snakemake.input.data,
+        )
