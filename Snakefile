@@ -50,9 +50,13 @@ include: "workflow/rules/campaign.smk"
 include: "workflow/rules/report.smk"
 
 
-for rules_of_project in sorted(glob("projects/*/rules.smk")):
+PROJECTS = {Path(file).parent.name: file for file in sorted(glob("projects/*/rules.smk"))}
+for name in sorted(set(config.get("projects", {})) - set(PROJECTS)):
+    sys.exit(f"projects.{name} names no project: choose one of {', '.join(PROJECTS)}.")
 
-    include: rules_of_project
+for name in PROJECTS:
+
+    include: PROJECTS[name]
 
 
 rule all:

@@ -76,6 +76,9 @@ class Configuration(Part):
     honesty: Honesty
     hard_cases: HardCases = Field(description="Problems at the edge of what the solvers can do.")
     proofs: Proofs
+    projects: dict[str, dict[str, Any]] = Field(
+        {}, description="Settings of projects by their names, laid over the config.yaml of each."
+    )
 
     def problems(self) -> Iterator[str]:
         """No two results have one name, and precision is measured for rings that there are."""
