@@ -9,7 +9,7 @@ import pytest
 
 from granular_fronts.arguments import new_file
 from granular_fronts.errors import InputError, NoSpaceError
-from granular_fronts.output.files import HOST, complete_file, remove_leftovers
+from granular_fronts.output.files import HOST, complete_file, is_running, remove_leftovers
 from projects import ROOT
 
 ABOVE_ANY_PROCESS = 2**22 + 1
@@ -121,3 +121,11 @@ def test_netcdf_file_that_may_not_grow_is_named(tmp_path):
     run = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, check=False)
     assert f"no space left in {tmp_path}" in run.stdout, run.stderr
     assert not list(tmp_path.iterdir())
+
+
+def test_a_process_of_another_user_runs(monkeypatch):
+    def forbidden(process, signal):
+        raise PermissionError
+
+    monkeypatch.setattr(os, "kill", forbidden)
+    assert is_running(1)

@@ -12,7 +12,7 @@ from certificates import middles
 
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
-from granular_fronts.proofs import balls
+from granular_fronts.proofs import balls, certificate, stored
 from granular_fronts.proofs.balls import in_balls
 from granular_fronts.proofs.certificate import prove_front, rational
 from granular_fronts.proofs.families import join, prove, prove_family, record
@@ -143,7 +143,7 @@ def test_boxes_of_alpha_and_gamma_are_one_family(tmp_path):
     assert second["inequalities"][-1]["left"] == pytest.approx(0.67, abs=0.01)  # docs/proofs.md
 
 
-def test_impossible_numbers(tmp_path):
+def test_impossible_numbers_and_fronts_that_are_not_found_are_refused(tmp_path, monkeypatch):
     with pytest.raises(InputError, match="six decimals"):
         next(prove_interval("3/2", "0.30000001", "0.31", tmp_path))
     with pytest.raises(InputError, match="exchange its ends"):
@@ -152,6 +152,12 @@ def test_impossible_numbers(tmp_path):
         with pytest.raises(InputError, match=r"^alpha is .* must be a number above 1"):
             prove_front(alpha, "0.3", tmp_path / "file.npz")
     assert rational(0.1) == Fraction(1, 10)
+    with pytest.raises(InputError, match="more than 18 digits"):
+        stored.integers(2**63)
+    failed = SimpleNamespace(attrs={"converged": 0, "reason": "the residual is 1"})
+    monkeypatch.setattr(certificate, "solve_front", lambda *_: failed)
+    with pytest.raises(InputError, match="no front to prove: the residual is 1"):
+        prove_front("3/2", "0.3", tmp_path / "file.npz")
 
 
 def test_wide_interval_that_concludes_nothing_is_made_narrower():

@@ -90,22 +90,6 @@ def test_any_change_of_the_configuration_is_accepted_or_refused_in_sentences(pat
     assert_sentences(sentences(check_configuration, replaced(DEFAULT, path, value)))
 
 
-@exactly_repeated(max_examples=40)
-@given(
-    st.sampled_from([*leaves(DEFAULT)][1:]),
-    edge_numbers,
-    st.sampled_from([*leaves(DEFAULT)][1:]),
-    edge_numbers,
-)
-def test_two_changes_are_accepted_or_refused_in_sentences(first, value, second, other):
-    changed = replaced(DEFAULT, first, value)
-    try:
-        changed = replaced(changed, second, other)
-    except (TypeError, KeyError, IndexError):
-        return  # The first change took away what the second would change.
-    assert_sentences(sentences(check_configuration, changed))
-
-
 @exactly_repeated(max_examples=100)
 @given(st.sampled_from([*leaves(CAMPAIGN)][1:]), edge_values)
 def test_any_change_of_a_campaign_is_accepted_or_refused_in_sentences(path, value):

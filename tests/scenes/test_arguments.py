@@ -1,9 +1,11 @@
 """Every argument of every public function: what is impossible is refused in one sentence."""
 
+import ast
 import inspect
 import math
 import tempfile
 from fractions import Fraction
+from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
@@ -123,7 +125,7 @@ OUT_OF_RANGE = [
     *[
         (name, "alpha", v)
         for name in ("critical_damping", "solve_front", "sweep_fronts", "tail_roots")
-        for v in (1.0, 0.5, 0, -2)
+        for v in (1.0, -2)
     ],
     *[(name, "beta", v) for name in ("Scaling", "restitution", "solve_front") for v in (0.5, -1)],
     *[(name, "gamma", v) for name in ("solve_front", "tail_roots") for v in (0.0, -0.1)],
@@ -149,8 +151,6 @@ OUT_OF_RANGE = [
     ("restitution", "gamma", -0.1),
     ("solve_front", "right_state", 1.0),
     ("solve_front", "right_state", -0.1),
-    ("sweep_fronts", "gammas", [0.1, 0.0]),
-    ("sweep_fronts", "gammas", []),
     ("sweep_fronts", "gammas", [[0.1]]),
     ("front_multipliers", "front", a_front(converged=0, reason="a test")),
     ("evaluate_front", "front", a_front(converged=0, reason="a test")),
@@ -190,11 +190,31 @@ def check_refusal(name, parameter, value):
 
 
 def test_no_public_function_and_no_parameter_is_forgotten():
-    """`test_laws` has `make_law`, `test_plot` pictures, `test_configuration` scenes."""
+    """`test_laws` has `make_law`, `test_plot` pictures, `test_refusals` scenes."""
     assert {name: set(POSSIBLE[name]) for name in POSSIBLE} == {
         name: set(parameters_of(name))
         for name in gf.__all__
         if name not in ("make_law", "plot", "Chain", "Ring", "Front")
+    }
+
+
+def test_the_stub_gives_each_public_name_from_its_module():
+    """What a type checker reads."""
+    package = files("granular_fronts")
+    assert package.joinpath("py.typed").is_file()
+    stub = ast.parse(package.joinpath("__init__.pyi").read_text(encoding="utf-8"))
+    homes = {
+        name.asname: f"{statement.module}.{name.name}"
+        for statement in stub.body
+        if isinstance(statement, ast.ImportFrom)
+        for name in statement.names
+    }
+    public = {name: getattr(gf, name) for name in gf.__all__}
+    assert homes == {
+        name: found.__name__
+        if inspect.ismodule(found)
+        else f"{found.__module__}.{found.__qualname__}"
+        for name, found in public.items()
     }
 
 

@@ -5,7 +5,6 @@ import math
 
 import numpy as np
 import pytest
-from configurations import assert_refused
 from potentials import cosh
 
 import granular_fronts as gf
@@ -154,58 +153,6 @@ def test_a_file_says_which_law_it_was(tmp_path):
     again = configuration_of(read_dataset(file))["law"]
     assert gf.make_law(again) == gf.make_law(TODA)
     assert json.loads(json.dumps(again)) == again
-
-
-def pressed(left):
-    return {"kind": "pressure", "left": left, "right": 0.4}
-
-
-def of(kind, **parameters):
-    return {"law": {"elastic": {"kind": kind, **parameters}}}
-
-
-@pytest.mark.parametrize(
-    ("base", "changes", "words"),
-    [
-        (scene(TODA), {"law": TODA | {"alpha": 1.5}}, "law.alpha is no key"),
-        (scene(TODA), of("toda", rate=0), "law: rate is 0 | above 0"),
-        (scene(TODA), {"law": {"elastic": {"rate": 1}}}, "law.elastic.kind is missing"),
-        (scene(TODA), {"law": {"viscous": {"kind": "none"}}}, "law.elastic is missing"),
-        (scene(TODA), of("lennard_jones", distance=0.2), "boundary.left is 0.3 | 0.2 only"),
-        (scene(TODA), of("hertz", alpha=0.5), "law has alpha 0.5, below 1"),
-        (
-            scene(TODA),
-            of("hertz", alpha=300),
-            "law has alpha 300 | energies of about 1e-157 | 1e±140",
-        ),
-        (
-            scene(TODA),
-            {"boundary": pressed(1e-200) | {"right": 0.0}},
-            "law.elastic | about 1e-200 | energies of about 1e-323 | 1e±140\n"
-            "law.viscous | about 1e-200 | 1e±140",
-        ),
-        (scene(SHORT), {"boundary": pressed(-0.1)}, "boundary.left is -0.1 | limit 0"),
-        (
-            scene(SHORT),
-            {"record": {"snapshots": [], "arrival_level": -0.1}},
-            "level is -0.1 | above 0",
-        ),
-        (
-            compressed({"kind": "ring"}),
-            {"boundary": {"kind": "piston", "velocity": 0.0}, "start": REST},
-            "boundary.right is 0 | between 0.01 and 2\nstart.relative_displacement of a",
-        ),
-        (
-            compressed({"kind": "ring"}),
-            {"boundary": pressed(0.5), "start": REST},
-            "start.relative_displacement of a chain at rest is 0",
-        ),
-    ],
-)
-def test_impossible_law_of_a_scene_is_refused(base, changes, words):
-    with pytest.raises(InputError, match=r"^Scene mine: ") as caught:
-        Chain.read(base | changes, "mine")
-    assert_refused(str(caught.value), words)
 
 
 def test_beta_is_alpha_by_default_in_every_family(default):
