@@ -73,7 +73,7 @@ lint: .venv/installed ## Check the style, the workflow's rules and the types.
 
 # Made again only when they are asked for by name, so that uv is needed for nothing else.
 ifneq ($(filter %environment.txt,$(MAKECMDGOALS)),)
-.PHONY: environment.txt docs-environment.txt
+.PHONY: environment.txt docs/environment.txt
 endif
 PIN = uv pip compile --quiet --universal --python-version 3.11 --generate-hashes \
     --no-emit-index-url --no-emit-find-links --no-annotate --custom-compile-command "make $@"
@@ -82,9 +82,9 @@ environment.txt: ## Pin every dependency again.
 	@echo "Pinning every dependency of pyproject.toml in environment.txt."
 	@$(PIN) --all-extras --output-file $@ pyproject.toml
 
-docs-environment.txt: ## Pin again what builds the manual.
+docs/environment.txt: ## Pin again what builds the manual.
 	@$(call need_uv)
-	@echo "Pinning what builds the manual in docs-environment.txt."
+	@echo "Pinning what builds the manual in docs/environment.txt."
 	@$(PIN) --group docs --constraint environment.txt --output-file $@
 
 readme: .venv/installed ## Bring the numbers of README and manual up to date.
@@ -96,11 +96,11 @@ docs: .venv/docs-installed ## Build the manual from pages, docstrings and result
 	@echo "Building the manual in docs/_build/html."
 	$(call quietly,$(BIN)/sphinx-build -E -W --keep-going -b html docs docs/_build/html)
 
-.PHONY: $(shell cmp -s docs-environment.txt .venv/docs-installed || echo .venv/docs-installed)
+.PHONY: $(shell cmp -s docs/environment.txt .venv/docs-installed || echo .venv/docs-installed)
 .venv/docs-installed: .venv/installed
 	@echo "Installing the packages that build the manual."
-	@$(PIP) install --require-hashes --no-deps -r docs-environment.txt
-	@cp docs-environment.txt $@
+	@$(PIP) install --require-hashes --no-deps -r docs/environment.txt
+	@cp docs/environment.txt $@
 
 clean: ## Remove results and caches; .venv stays.
 	@echo "Removing results and caches; .venv stays."

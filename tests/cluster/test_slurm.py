@@ -1,6 +1,6 @@
 """A campaign on a real cluster of one node: a job is killed, the next call ends the campaign.
 
-Needs root, Debian's packages slurm-wlm and munge, and `cluster-environment.txt`.
+Needs root, Debian's packages slurm-wlm and munge, and `profiles/slurm/environment.txt`.
 """
 
 import importlib.util
@@ -30,7 +30,7 @@ NEEDED = {
     "Debian's package slurm-wlm": shutil.which("slurmctld") and shutil.which("slurmd"),
     "Debian's package munge": shutil.which("munged"),
     "root's rights": os.geteuid() == 0,
-    "cluster-environment.txt": importlib.util.find_spec("snakemake_executor_plugin_slurm"),
+    "profiles/slurm/environment.txt": importlib.util.find_spec("snakemake_executor_plugin_slurm"),
     "a machine that is no cluster": not Path("/etc/slurm/slurm.conf").exists(),
 }
 MISSING = [name for name, found in NEEDED.items() if not found]

@@ -10,18 +10,19 @@ import yaml
 
 from projects import ROOT
 
-PINS = {"lint": "environment.txt", "docs": "docs-environment.txt"}
+PINS = {"lint": "environment.txt", "docs": "docs/environment.txt"}
 
 
 @pytest.fixture
 def installed(tmp_path):
     """A folder in which everything is installed, as far as make can see."""
+    (tmp_path / "docs").mkdir()
     for name in ("Makefile", "pyproject.toml", *PINS.values()):
-        shutil.copy(ROOT / name, tmp_path)
+        shutil.copy(ROOT / name, tmp_path / name)
     (tmp_path / ".venv").mkdir()
     parts = [(tmp_path / name).read_text() for name in ("environment.txt", "pyproject.toml")]
     (tmp_path / ".venv/installed").write_text("".join(parts))
-    shutil.copy(tmp_path / "docs-environment.txt", tmp_path / ".venv/docs-installed")
+    shutil.copy(tmp_path / "docs/environment.txt", tmp_path / ".venv/docs-installed")
     return tmp_path
 
 

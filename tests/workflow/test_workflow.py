@@ -119,7 +119,7 @@ def pinned_in(file):
 
 def test_environments_pin_every_dependency_within_its_range_and_agree():
     """The project's and the one that builds the manual are installed into one environment."""
-    here, manual = pinned_in("environment.txt"), pinned_in("docs-environment.txt")
+    here, manual = pinned_in("environment.txt"), pinned_in("docs/environment.txt")
     described = tomllib.loads((ROOT / "pyproject.toml").read_text())
     project = described["project"]
     required = [*project["dependencies"], *described["build-system"]["requires"]]

@@ -1,12 +1,7 @@
 """Compiled kernels; otherwise jobs that start together would each compile the same ones."""
 
 # What a package imports is compiled before it.
-BELOW = {
-    "chain": [],
-    "continuum": [],
-    "reference_methods": ["continuum"],
-    "fronts": ["chain", "continuum"],
-}
+BELOW = {"chain": [], "continuum": [], "reference_methods": [], "fronts": ["continuum"]}
 
 
 rule compile_kernels:

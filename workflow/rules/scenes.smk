@@ -68,7 +68,7 @@ rule compute_heteroclinic:
 rule shoot_front:
     """An exact front of the lattice by two methods, and what approximates it, section 6."""
     input:
-        kernels("fronts"),
+        kernels("chain", "fronts"),
     output:
         dataset="<results>/data/fronts/{scene}.nc",
     params:

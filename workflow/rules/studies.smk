@@ -13,7 +13,7 @@ STUDIES = {
     "laws/numerical_damping": ("numerical_damping", "measure_numerical_damping", ["chain"]),
     "laws/choice_of_variables": ("choice_of_variables", "compare_variables", ["chain"]),
     "laws/limiting_cases": ("limiting_cases", "measure_limiting_cases", ["chain", "continuum"]),
-    "laws/jump_conditions": ("jump_conditions_measured", "measure_jumps", ["fronts"]),
+    "laws/jump_conditions": ("jump_conditions_measured", "measure_jumps", ["chain", "fronts"]),
 }
 
 

@@ -1,6 +1,8 @@
-"""Compile every kernel of the exact fronts once, on fronts as short as can be."""
+"""Compile every kernel of the exact fronts once, on fronts as short as can be.
 
-from granular_fronts.fronts.linear.floquet import front_multipliers
+Those of the multipliers are compiled by the one study that needs them.
+"""
+
 from granular_fronts.fronts.solve import METHODS, solve_front
 from granular_fronts.fronts.sweep import sweep_fronts
 
@@ -12,6 +14,5 @@ def compile_kernels():
     """Compile every kernel, so that jobs which run side by side find them in the cache."""
     for law in LAWS:
         for method in METHODS:
-            front = solve_front(*law, method=method)
-        front_multipliers(front)
+            solve_front(*law, method=method)
     sweep_fronts(alpha=1.5, gammas=[0.5, 0.49])
