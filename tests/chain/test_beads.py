@@ -40,7 +40,7 @@ def test_a_chain_in_equilibrium_stays_at_rest(law):
 
 def test_a_chain_in_free_fall_moves_as_one():
     """No contact is pressed, and the last of many beads has the velocity g t too."""
-    scene = driven_scene(beads=100, delta=0.0, end_time=3.0, gravity=0.1)
+    scene = driven_scene(0.0, 100, 3.0, delta=0.0, gravity=0.1)
     np.testing.assert_allclose(last_state(scene), np.repeat([0.0, 0.3], 100), atol=1.0e-14)
 
 

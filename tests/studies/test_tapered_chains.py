@@ -10,6 +10,7 @@ from newton import solutions
 from pages import ROOT
 from scipy.integrate import quad
 
+import granular_fronts as gf
 from granular_fronts.scenes.yaml_files import read_yaml
 from granular_fronts.studies import tapered_chains, tapered_measures
 from granular_fronts.studies.tapered_chains import (
@@ -26,6 +27,13 @@ TAPERS = pytest.mark.parametrize("taper", [{"ratio": 1.03}, {"ratio": 0.95}, {"d
 
 def test_the_example_holds():
     assert doctest.testmod(tapered_chains).failed == 0
+
+
+def test_spheres_touch_as_those_of_a_material_do():
+    mass, [factor] = spheres({"ratio": 0.9}, 2)
+    equal, unlike = (gf.contact_stiffness("steel 10 mm", f"steel {d} mm") for d in (10, 9))
+    assert factor == pytest.approx(unlike / equal, rel=1e-14)
+    assert mass == pytest.approx([1.0, 0.9**3], rel=1e-15)
 
 
 @TAPERS
