@@ -52,26 +52,26 @@ ENDS = {
 
 @st.composite
 def scenes(draw, kind):
-    """A few beads for some time, with gaps or without, at rest or struck."""
-    count = draw(st.sampled_from([2, 6, 8]))
+    """A few beads with gaps or without, or more than are reached from rest, for some time."""
+    starts = ["given"] if kind == "ring" else ["given", "rest"]
+    start = {"kind": draw(st.sampled_from([*starts, "striker"] if kind == "wall" else starts))}
+    count = draw(st.sampled_from([2, 6, 8] if start["kind"] == "given" else [2, 40]))
     boundary = {"kind": kind} | draw(ENDS[kind])
-    rng = np.random.default_rng(draw(st.integers(0, 1000)))
-    u = rng.uniform(-0.1, 0.4, count - (kind not in ("ring", "wall")))
-    velocity = rng.uniform(-0.3, 0.3, count)
-    if kind == "piston":
-        velocity[0] = Piston(**boundary).at_start
-    starts = [given(u, velocity)]
-    if kind != "ring":
-        starts.append({"kind": "rest"})
-    if kind == "wall":
-        starts.append({"kind": "striker", "beads": 1, "velocity": 0.5})
+    if start["kind"] == "striker":
+        start |= {"beads": 1, "velocity": 0.5}
+    if start["kind"] == "given":
+        rng = np.random.default_rng(draw(st.integers(0, 1000)))
+        velocity = rng.uniform(-0.3, 0.3, count)
+        if kind == "piston":
+            velocity[0] = Piston(**boundary).at_start
+        start = given(rng.uniform(-0.1, 0.4, count - (kind not in ("ring", "wall"))), velocity)
     return driven_scene(
         beads={"count": count, "mass": draw(st.sampled_from(MASSES))},
         law=draw(st.sampled_from([*POWERS, *PULLING])),
         contacts=draw(st.sampled_from(FACTORS)),
         boundary=boundary,
         gravity=0.0 if kind in ("ring", "piston") else draw(st.sampled_from([0.0, 0.05])),
-        start=draw(st.sampled_from(starts)),
+        start=start,
         end_time=4.0,
         record={"snapshots": [4.0], "balances": True},
     )
@@ -88,7 +88,7 @@ def test_any_chain_keeps_its_balances_and_moves_by_newtons_law(kind):
         drifts, last = solution.drifts, solution.dataset.isel(t=-1)
         assert np.isnan(drifts["momentum_drift"]) == (kind == "wall")
         assert not drifts["momentum_drift"] > 2.0e-13
-        assert drifts["energy_drift"] < 1.0e-11
+        assert drifts["energy_drift"] < 5.0e-11
         found = np.concatenate([last["relative_displacement"], last["velocity"]])
         np.testing.assert_allclose(found, newton(scene), rtol=0, atol=1.0e-9)
 

@@ -123,19 +123,6 @@ def test_errors_of_pulses_in_a_chain_bound_the_true_ones(relative):
         assert (stated < 1e-3).all()
 
 
-def test_peaks_of_a_damped_chain_decay_in_proportion_to_the_damping():
-    rates = []
-    for gamma in (0.002, 0.004):
-        motion = gf.simulate_chain(struck(gamma=gamma))
-        peaks = gf.pulses(motion["contact_force_far"])["peak"].sel(pulse=1)
-        rates.append(-np.polyfit(peaks["contact_far"], np.log(peaks), 1)[0])
-        of_u = motion["first_peak"].sel(bead=slice(12, 32))
-        assert -1.5 * np.polyfit(of_u["bead"], np.log(of_u), 1)[0] == pytest.approx(
-            rates[-1], rel=0.1
-        )
-    assert rates[1] == pytest.approx(2.0 * rates[0], rel=0.05)
-
-
 @pytest.mark.parametrize(
     ("call", "words"),
     [

@@ -126,51 +126,6 @@ def test_momentum_through_an_interface(step_of, ratio):
     assert passed == pytest.approx(2.0 * impedance / (1.0 + impedance), rel=1.0e-12)
 
 
-# Small waves in a compressed dimer.
-
-
-def spectrum(delta, end_time, beads=16, samples=8192):
-    """Frequencies and amplitudes of u_1 of a compressed dimer ring, two beads of which are hit."""
-    velocity = np.zeros(beads)
-    velocity[[2, 5]] = 1.0e-6, -2.0e-6
-    probe = {"beads": [1], "start": 0.0, "stop": end_time, "step": end_time / samples}
-    scene = driven_scene(
-        0.0,
-        {"count": beads, "mass": {"cell": [1.0, LIGHT]}},
-        boundary={"kind": "ring"},
-        start=given([delta] * beads, velocity),
-        end_time=end_time,
-        tolerance={"relative": 1.0e-14, "absolute": 1.0e-16},
-        record={"snapshots": [end_time], "probes": {"near": probe}},
-    )
-    u = solve(scene).dataset["relative_displacement_near"].values[:-1, 0]
-    amplitude = np.abs(np.fft.rfft((u - u.mean()) * np.blackman(u.size)))
-    return 2.0 * np.pi * np.fft.rfftfreq(u.size, end_time / samples), amplitude / amplitude.max()
-
-
-def test_a_compressed_dimer_has_two_bands_and_a_gap():
-    """Of 8 cells each peak is a root of ω², to the resolution 2π/T of the record.
-
-    With K = 3/2 δ^½ and masses M > m, ω² = K(S ± (S² − 4 sin²(k/2)/(mM))^½), S = 1/m + 1/M. Edges
-    are (2K/M)^½, (2K/m)^½ and (2KS)^½ (L. Brillouin, Wave Propagation in Periodic Structures).
-    """
-    delta, end_time = 0.5, 800.0
-    frequency, amplitude = spectrum(delta, end_time)
-    stiffness, total = 1.5 * np.sqrt(delta), 1.0 + 1.0 / LIGHT
-    root = np.sqrt(total**2 - 4.0 * np.sin(np.pi * np.arange(5) / 8.0) ** 2 / LIGHT)
-    squares = stiffness * np.append(total - root[1:], total + root)
-    edges = np.sqrt(stiffness * np.array([2.0, 2.0 / LIGHT, 2.0 * total]))
-    np.testing.assert_allclose(np.sqrt(squares[[3, 8, 4]]), edges, rtol=1.0e-14)
-    inner = amplitude[1:-1]
-    higher = (inner > amplitude[:-2]) & (inner > amplitude[2:]) & (inner > 0.01)
-    peaks = frequency[1 + np.flatnonzero(higher)]
-    np.testing.assert_allclose(peaks, np.sort(np.sqrt(squares)), rtol=0, atol=np.pi / end_time)
-    margin = 16.0 * np.pi / end_time
-    gap = (frequency > edges[0] + margin) & (frequency < edges[1] - margin)
-    assert amplitude[gap].max() < 1.0e-4
-    assert amplitude[frequency > edges[2] + margin].max() < 1.0e-4
-
-
 # Extended precision, and hard cases.
 
 DIMER = {"cell": [1.0, LIGHT]}
