@@ -8,6 +8,7 @@ import sys
 import time
 from pathlib import Path
 
+import pandas as pd
 import psutil
 
 ROOT = Path(__file__).parents[2]
@@ -74,6 +75,29 @@ def jobs_due(*arguments, folder=ROOT):
     return {
         name: {names[above] for above in upstream[number] & due} for number, name in names.items()
     }
+
+
+def run_project(name, folder):
+    """The results of a project of its own, computed in a copy, and its page."""
+    copy = lend_kernels(copy_project(folder))
+    run = snakemake(name, folder=copy)
+    assert run.returncode == 0, run.stderr
+    readme = (copy / "projects" / name / "README.md").read_text(encoding="utf-8")
+    return copy / "results", readme.replace("−", "-")
+
+
+def assert_readme_shows_statements(name, folder):
+    """A row of the page names a statement; its error is the computed one, or of the last digit."""
+    results, readme = run_project(name, folder)
+    [table] = (results / "tables").glob(f"{name}_*.csv")
+    rows = pd.read_csv(table).set_index("quantity")
+    shown = re.findall(r"^\| (.+) \| (-?[\d.]+) ± ([\d.e-]+) \|$", readme, re.MULTILINE)
+    assert shown
+    for quantity, value, error in shown:
+        computed, stated = rows.loc[quantity, ["computed", "numerical error"]]
+        assert abs(float(value) - computed) <= float(error), quantity
+        digit = 10.0 ** -len(value.partition(".")[2])
+        assert stated <= float(error) <= max(2.0 * stated, 1.01 * digit), quantity
 
 
 def wait_for_job(process, name):

@@ -67,7 +67,8 @@ def tabulate_statements(
         computed=[_rounded(value, ".6g") for value in rows["computed"]],
         **{"numerical error": [_rounded(value, ".1e") for value in rows["numerical_error"]]},
     )
-    write_table(table, readable, csv, markdown)
+    # A finding has neither words of a paper nor a place there.
+    write_table(table, readable.fillna(""), csv, markdown)
 
 
 def find_measure(name: str, folder: Path) -> Callable[..., Estimate]:
