@@ -1,0 +1,129 @@
+"""Two pulses behind an impact: sentences of Rosas et al. (2007, 2008), and what is added."""
+
+sys.path.append("projects/rosas_2007")
+from rosas_2007_settings import Impacts
+
+ROSAS, ROSAS_OWN = project_settings("rosas_2007", Impacts)
+ROSAS_SHOWN = {name: [ROSAS[name], ROSAS_OWN[name]] for name in ROSAS}
+
+
+rule rosas_2007_impact:
+    """Motions behind an impact."""
+    input:
+        kernels("chain"),
+    output:
+        dataset="<results>/data/rosas_2007/{scene}.nc",
+    params:
+        code=code("initiate_front"),
+        scene=lambda wildcards: ROSAS[wildcards.scene],
+    log:
+        "<logs>/rosas_2007/{scene}.log",
+    benchmark:
+        "<benchmarks>/rosas_2007/{scene}.tsv"
+    conda:
+        "../../workflow/envs/main.yaml"
+    wildcard_constraints:
+        scene="weak|medium|strong",
+    script:
+        "../../workflow/scripts/initiate_front.py"
+
+
+rule follow_impact_fronts:
+    """Fronts far behind an impact, and exact fronts of the same damping."""
+    input:
+        kernels("chain", "fronts"),
+    output:
+        dataset="<results>/data/rosas_2007/fronts.nc",
+    params:
+        code=code("impact_fronts"),
+        settings=ROSAS["fronts"],
+    log:
+        "<logs>/rosas_2007/fronts.log",
+    benchmark:
+        "<benchmarks>/rosas_2007/fronts.tsv"
+    conda:
+        "../../workflow/envs/main.yaml"
+    script:
+        "impact_fronts.py"
+
+
+rule rosas_2007_pulses:
+    """Velocities behind an impact, for three dampings."""
+    input:
+        weak="<results>/data/rosas_2007/weak.nc",
+        medium="<results>/data/rosas_2007/medium.nc",
+        strong="<results>/data/rosas_2007/strong.nc",
+        texts="projects/rosas_2007/captions/rosas_2007_pulses.rst",
+    output:
+        **figure("rosas_2007_pulses", "projects/rosas_2007/captions"),
+    params:
+        code=code("rosas_2007_pulses", "initiate_front"),
+        shown=ROSAS_SHOWN,
+    log:
+        "<logs>/rosas_2007/pulses.log",
+    benchmark:
+        "<benchmarks>/rosas_2007/pulses.tsv"
+    conda:
+        "../../workflow/envs/main.yaml"
+    script:
+        "rosas_2007_pulses.py"
+
+
+rule rosas_2007_fronts:
+    """Fronts of chains on exact fronts."""
+    input:
+        fronts="<results>/data/rosas_2007/fronts.nc",
+        texts="projects/rosas_2007/captions/rosas_2007_fronts.rst",
+    output:
+        **figure("rosas_2007_fronts", "projects/rosas_2007/captions"),
+    params:
+        code=code("rosas_2007_fronts", "impact_fronts"),
+        shown=ROSAS_SHOWN,
+    log:
+        "<logs>/rosas_2007/figure_fronts.log",
+    benchmark:
+        "<benchmarks>/rosas_2007/figure_fronts.tsv"
+    conda:
+        "../../workflow/envs/main.yaml"
+    script:
+        "rosas_2007_fronts.py"
+
+
+rule rosas_2007_statements:
+    """Sentences of both abstracts, and findings, with verdicts."""
+    input:
+        statements="projects/rosas_2007/statements.yaml",
+        datasets=data("rosas_2007/weak", "rosas_2007/fronts"),
+    output:
+        **table("rosas_2007_statements"),
+    params:
+        code=code("tabulate_statements", *measured_by("projects/rosas_2007/statements.yaml")),
+        shown=ROSAS_SHOWN,
+    log:
+        "<logs>/rosas_2007/statements.log",
+    benchmark:
+        "<benchmarks>/rosas_2007/statements.tsv"
+    conda:
+        "../../workflow/envs/main.yaml"
+    script:
+        "../../workflow/scripts/tabulate_statements.py"
+
+
+rule rosas_2007:
+    """Two pulses behind an impact, with figures and verdicts; a minute."""
+    input:
+        figures=[rules.rosas_2007_pulses.output, rules.rosas_2007_fronts.output],
+        tables=[rules.rosas_2007_statements.output.csv],
+    output:
+        verdict="<results>/rosas_2007.txt",
+    params:
+        code=code("check_verdicts"),
+    log:
+        "<logs>/rosas_2007/verdicts.log",
+    benchmark:
+        "<benchmarks>/rosas_2007/verdicts.tsv"
+    conda:
+        "../../workflow/envs/main.yaml"
+    localrule: True
+    script:
+        "../../workflow/scripts/check_verdicts.py"
