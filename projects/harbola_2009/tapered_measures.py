@@ -23,12 +23,6 @@ def compression_over_exact(pulses, chain, contact):
     return Estimate(float(one["compression_of_collisions"]), 0.0) / exact
 
 
-def compression_over_uniform(pulses, chain, contact):
-    """Return the compression by collisions over the exact one, over this ratio without taper."""
-    ratios = (compression_over_exact(pulses, name, contact) for name in (chain, "uniform"))
-    return next(ratios) / next(ratios)
-
-
 def loss_less_mass(losses):
     """Return the loss over that of binary collisions less m_*/m, for vanishing growth."""
     mass = tabulated(losses, "mass_of_wave")
