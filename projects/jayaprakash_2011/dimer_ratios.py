@@ -51,7 +51,12 @@ from granular_fronts.accuracy import EPSILON, Estimate, rounded, tabulated, vari
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import SolveError
 from granular_fronts.fronts.solitary_waves import solitary_wave
+from granular_fronts.output.datasets import write_dataset
 from granular_fronts.studies.strikers import struck_chain
+from job import job
+
+ALPHA = 1.5
+"""Exponent of beads."""
 
 POINTS = 32, 48
 """Points of a cell on the usual and the finer grid."""
@@ -180,7 +185,7 @@ def crossing(rate_of, middle, distance):
     return Estimate(found[1], abs(found[1] - found[0]))
 
 
-def find_ratios(alpha, roots, cells, tolerance):
+def find_ratios(roots, cells, tolerance):
     """Find antiresonances and resonances over ε^(−1/2), `roots` with start, stop and step.
 
     On (root): `attenuation`, per cell.  On (order): `antiresonance`, `antiresonance_of_chain`, each
@@ -190,7 +195,7 @@ def find_ratios(alpha, roots, cells, tolerance):
     root = np.arange(roots["start"], roots["stop"], roots["step"])
 
     def both(place):
-        return rates(alpha, place**-2.0, cells, tolerance)[-2:]
+        return rates(ALPHA, place**-2.0, cells, tolerance)[-2:]
 
     scan = [both(place) for place in root]
     late = np.array([pair[1].value for pair in scan])
@@ -199,7 +204,7 @@ def find_ratios(alpha, roots, cells, tolerance):
     waves, exact, by_chain = [], [], []
     for low in root[lows]:
         crossed = crossing(lambda place: both(place)[1].value, low, roots["step"])
-        wave, ratio = find_wave(alpha, crossed.value**-2.0, cells[-1], tolerance)
+        wave, ratio = find_wave(ALPHA, crossed.value**-2.0, cells[-1], tolerance)
         waves.append(CubicSpline(wave.t, wave.u)(SHOWN))
         exact.append(ratio)
         by_chain.append(crossed**-2.0)
@@ -220,24 +225,18 @@ def find_ratios(alpha, roots, cells, tolerance):
         ("resonance_attenuation", "resonance_order", heights, "other cells", "attenuation there"),
     ):
         variables |= variable_and_errors(name, dims, found, method, meaning)
+    last = spacing(ALPHA)
+    variables |= variable_and_errors("spacing", (), last, "no faint u", "spacing as ε → 0")
     coordinates = {
-        "root": ("root", root, {"long_name": "inverse square root of the mass ratio"}),
-        "t": ("t", SHOWN, {"long_name": "time over that from cell to cell"}),
-        "order": (
-            "order",
-            np.arange(1, len(exact) + 1),
-            {"long_name": "number of the antiresonance"},
-        ),
-        "resonance_order": (
-            "resonance_order",
-            np.arange(1, len(places) + 1),
-            {"long_name": "number of the resonance"},
-        ),
+        name: (name, values, {"long_name": words})
+        for name, values, words in (
+            ("root", root, "inverse square root of the mass ratio"),
+            ("t", SHOWN, "time over that from cell to cell"),
+            ("order", np.arange(1, len(exact) + 1), "number of the antiresonance"),
+            ("resonance_order", np.arange(1, len(places) + 1), "number of the resonance"),
+        )
     }
-    variables |= variable_and_errors(
-        "spacing", (), spacing(alpha), "no faint u", "spacing as ε → 0"
-    )
-    return xr.Dataset(variables, coordinates, {"alpha": alpha})
+    return xr.Dataset(variables, coordinates)
 
 
 def _largest(both, which, middle, step):
@@ -277,7 +276,7 @@ def apart(found, order):
 
 def energy_lost(found, order, cells):
     """Return the share of its energy that a pulse loses at a resonance in some cells."""
-    power = (found.attrs["alpha"] + 1.0) * cells
+    power = (ALPHA + 1.0) * cells
     rate = tabulated(found, "resonance_attenuation", resonance_order=order)
     kept = float(np.exp(-power * rate.value))
     return Estimate(1.0 - kept, power * kept * rate.error)
@@ -300,3 +299,10 @@ def last_spacing(found):
     """Return the last distance of two antiresonances in ε^(−1/2) over that as ε → 0."""
     last = found["antiresonance"].values[-2:] ** -0.5
     return rounded(float(last[1] - last[0]), 1e3) / tabulated(found, "spacing")
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        settings = snakemake.params.settings
+        ratios = find_ratios(**settings)
+        write_dataset(ratios, snakemake.output.dataset, scene_id="ratios", config=settings)

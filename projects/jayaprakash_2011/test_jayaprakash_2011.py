@@ -1,22 +1,20 @@
 """Dimers: waves that leave nothing behind, the attenuation of pulses, and both ladders."""
 
+import math
+import re
+
 import numpy as np
 import pytest
-import xarray as xr
+from by_hand import assert_measures, estimates
 from scipy.integrate import simpson
 
+import dimer_ratios as dimers
+from dimer_ratios import crossing, find_wave, rates, solve_wave, spacing, times_of
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import SolveError
 from granular_fronts.fronts.solitary_waves import solitary_wave
-from granular_fronts.studies.dimer_ratios import (
-    crossing,
-    find_wave,
-    interlaced,
-    rates,
-    solve_wave,
-    spacing,
-    times_of,
-)
+from granular_fronts.output.datasets import read_dataset
+from projects import run_project
 
 TOLERANCE = {"relative": 1e-10, "absolute": 1e-12}
 CELLS = [20, 30, 40]
@@ -107,11 +105,49 @@ def test_the_limit_of_the_spacing_is_that_of_the_compact_pulse():
     assert abs(np.pi / (np.sqrt(1.5) * area) - found.value) < 2.0 * found.error < 2e-3
 
 
-def test_ratios_in_turns_are_told_from_others():
-    def found(exact, strong):
-        variables = {"antiresonance": ("order", exact), "resonance": ("resonance_order", strong)}
-        errors = {"resonance_error": ("resonance_order", np.full(len(strong), 1e-6))}
-        return interlaced(xr.Dataset(variables | errors)).value
+# At ε^(−1/2) of 1, 2 and 3, known to rounding, and between them.
+DIMERS = estimates(
+    antiresonance=({"order": [1, 2, 3]}, [1.0, 1 / 4, 1 / 9]),
+    antiresonance_of_chain=({"order": [1, 2, 3]}, [1.0, 0.26, 1 / 9]),
+    resonance=({"resonance_order": [1, 2]}, [1.5**-2, 2.75**-2]),
+    resonance_attenuation=({"resonance_order": [1, 2]}, [0.2, 0.1 * math.log(2.0)]),
+    spacing=({}, 1.25),
+)
+NOT_IN_TURNS = estimates(
+    antiresonance=({"order": [1, 2, 3]}, [1.0, 1 / 4, 1 / 16]),
+    resonance=({"resonance_order": [1]}, [1 / 9]),
+)
 
-    assert found([1.0, 1 / 9], [1 / 4]) == pytest.approx(1.0)
-    assert found([1.0, 1 / 4, 1 / 16], [1 / 9]) == pytest.approx(-1.0)
+
+@pytest.mark.parametrize(
+    ("measure", "data", "arguments", "value", "error"),
+    [
+        (dimers.antiresonances, DIMERS, {}, 3.0, 0.0),
+        (dimers.apart, DIMERS, {"order": 2}, 0.01, 2e-3),
+        # A power α + 1 of the compression, in 4 cells: 2.5 · 4 · 0.1 ln 2.
+        (dimers.energy_lost, DIMERS, {"order": 2, "cells": 4}, 0.5, 5e-3),
+        (dimers.interlaced, DIMERS, {}, 0.25, 0.5e-3 * 2.75**3),
+        (dimers.interlaced, NOT_IN_TURNS, {}, -1.0, 0.5e-3 * 3.0**3),
+        (dimers.last_spacing, DIMERS, {}, 0.8, 0.8e-3 / 1.25),
+    ],
+)
+def test_measure_is_what_follows_by_hand(measure, data, arguments, value, error):
+    assert_measures(measure, data, arguments, value, error)
+
+
+@pytest.mark.slow
+def test_the_page_shows_what_is_computed(tmp_path):
+    results, readme = run_project("jayaprakash_2011", tmp_path)
+    rows = re.findall(r"^\| (\d) \| ([\d.]+) \| ([^|]+) \| ([^|]+) \|$", readme, re.MULTILINE)
+    found = read_dataset(results / "data/jayaprakash_2011/ratios.nc")
+    assert len(rows) == found.sizes["order"] == found.sizes["resonance_order"]
+    for order, (_, exact, *others) in enumerate(rows):
+        assert float(exact) == pytest.approx(float(found["antiresonance"][order]), abs=1e-14)
+        for shown, name in zip(others, ("resonance", "resonance_attenuation"), strict=True):
+            value, error = float(found[name][order]), float(found[f"{name}_error"][order])
+            if "±" not in shown:
+                assert float(shown.split(",")[0]) == pytest.approx(value, rel=5e-3)
+                continue
+            number, stated = map(float, shown.split(" ± "))
+            assert number == pytest.approx(value, abs=stated)
+            assert 0.9 * error <= stated <= 2.0 * error

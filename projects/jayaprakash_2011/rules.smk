@@ -1,0 +1,86 @@
+"""Mass ratios of dimers: sentences of two papers, and the ratios with their errors."""
+
+sys.path.append("projects/jayaprakash_2011")
+from jayaprakash_2011_settings import Dimers
+
+DIMERS, DIMERS_OWN = project_settings("jayaprakash_2011", Dimers)
+DIMERS_SHOWN = {name: [DIMERS[name], DIMERS_OWN[name]] for name in DIMERS}
+
+
+rule find_dimer_ratios:
+    """Mass ratios at which dimers carry a wave unchanged, and attenuate a pulse most."""
+    input:
+        kernels("chain"),
+    output:
+        dataset="<results>/data/jayaprakash_2011/ratios.nc",
+    params:
+        code=code("dimer_ratios"),
+        settings=DIMERS["ratios"],
+    log:
+        "<logs>/jayaprakash_2011/ratios.log",
+    benchmark:
+        "<benchmarks>/jayaprakash_2011/ratios.tsv"
+    conda:
+        "../../workflow/envs/main.yaml"
+    script:
+        "dimer_ratios.py"
+
+
+rule jayaprakash_2011_ladder:
+    """Attenuation over the mass ratio, and waves that leave nothing behind."""
+    input:
+        found="<results>/data/jayaprakash_2011/ratios.nc",
+        texts="projects/jayaprakash_2011/captions/jayaprakash_2011_ladder.rst",
+    output:
+        **figure("jayaprakash_2011_ladder", "projects/jayaprakash_2011/captions"),
+    params:
+        code=code("jayaprakash_2011_ladder", "dimer_ratios"),
+        shown=DIMERS_SHOWN,
+    log:
+        "<logs>/jayaprakash_2011/ladder.log",
+    benchmark:
+        "<benchmarks>/jayaprakash_2011/ladder.tsv"
+    conda:
+        "../../workflow/envs/main.yaml"
+    script:
+        "jayaprakash_2011_ladder.py"
+
+
+rule jayaprakash_2011_statements:
+    """Sentences of both papers, and mass ratios, with verdicts."""
+    input:
+        statements="projects/jayaprakash_2011/statements.yaml",
+        datasets=data("jayaprakash_2011/ratios"),
+    output:
+        **table("jayaprakash_2011_statements"),
+    params:
+        code=code("tabulate_statements", *measured_by("projects/jayaprakash_2011/statements.yaml")),
+        shown=DIMERS_SHOWN,
+    log:
+        "<logs>/jayaprakash_2011/statements.log",
+    benchmark:
+        "<benchmarks>/jayaprakash_2011/statements.tsv"
+    conda:
+        "../../workflow/envs/main.yaml"
+    script:
+        "../../workflow/scripts/tabulate_statements.py"
+
+
+rule jayaprakash_2011:
+    """Mass ratios of dimers, with a figure and verdicts; a minute."""
+    input:
+        figures=rules.jayaprakash_2011_ladder.output,
+        tables=[rules.jayaprakash_2011_statements.output.csv],
+    output:
+        verdict="<results>/jayaprakash_2011.txt",
+    params:
+        code=code("check_verdicts"),
+    log:
+        "<logs>/jayaprakash_2011/verdicts.log",
+    benchmark:
+        "<benchmarks>/jayaprakash_2011/verdicts.tsv"
+    conda:
+        "../../workflow/envs/main.yaml"
+    localrule: True
+    script:
+        "../../workflow/scripts/check_verdicts.py"
