@@ -3,21 +3,19 @@
 import xarray as xr
 from matplotlib.figure import Figure
 
+from drawing import write_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import new_figure
+from job import job
 
 
-def plot_weak_damping_shocks(motions: list[xr.Dataset]) -> Figure:
+def weak_damping_shocks(motions: list[xr.Dataset]) -> Figure:
     """Draw the compression at a contact, a panel for each motion.
 
     Parameters
     ----------
     motions : list of xarray.Dataset
         Motions of a driven chain, from no damping to strong damping.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
     """
     names = [f"motion_{number}" for number in range(len(motions))]
     figure, panels = new_figure(6.2, [[name] for name in names])
@@ -30,3 +28,14 @@ def plot_weak_damping_shocks(motions: list[xr.Dataset]) -> Figure:
         axes.set(ylabel="$u_{400}$", xlim=(370, 1100), ylim=(-0.05, 1.85))
     axes.set_xlabel("time $t$")
     return figure
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        write_figure(
+            weak_damping_shocks,
+            snakemake.input.texts,
+            snakemake.output,
+            snakemake.params.shown,
+            motions=snakemake.input.motions,
+        )

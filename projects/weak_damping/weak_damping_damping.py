@@ -4,24 +4,22 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from drawing import write_figure
 from granular_fronts.output.style import PROBE_COLOURS, new_figure
+from job import job
 
 MARKERS = "os^Dv"
 
 
-def plot_weak_damping_damping(damped: xr.Dataset, fronts: xr.Dataset) -> Figure:
+def weak_damping_damping(shocks: xr.Dataset, fronts: xr.Dataset) -> Figure:
     """Draw exact fronts and their limit, and the crests of chains over γn.
 
     Parameters
     ----------
-    damped : xarray.Dataset
+    shocks : xarray.Dataset
         Crests of driven chains without and with damping.
     fronts : xarray.Dataset
         Exact fronts of weak damping, and waves.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
     """
     figure, panels = new_figure(5.4, [["shape", "zone"], ["height", "length"]])
     limit = float(fronts["zone_limit"])
@@ -37,7 +35,7 @@ def plot_weak_damping_damping(damped: xr.Dataset, fronts: xr.Dataset) -> Figure:
     zone.plot(places, last["zone"].values[-1] + slope * (places - last["gamma"].values[-1]), "k:")
     zone.axhline(limit, color="k", ls="--", lw=0.8)
     zone.set(xlabel=r"damping $\gamma$", ylabel=r"zone × $\gamma$")
-    free, *others = (damped.isel(gamma=place, ahead=0) for place in range(damped.sizes["gamma"]))
+    free, *others = (shocks.isel(gamma=place) for place in range(shocks.sizes["gamma"]))
     looks = zip(others, PROBE_COLOURS, MARKERS, strict=False)
     for one, color, marker in looks:
         gamma = float(one["gamma"])
@@ -54,3 +52,15 @@ def plot_weak_damping_damping(damped: xr.Dataset, fronts: xr.Dataset) -> Figure:
     length.set(xlabel=r"$\gamma n$", ylabel=r"zone × $\gamma$", xscale="log", ylim=(0, 0.4))
     figure.legend(*height.get_legend_handles_labels(), loc="outside lower center", ncols=4)
     return figure
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        write_figure(
+            weak_damping_damping,
+            snakemake.input.texts,
+            snakemake.output,
+            snakemake.params.shown,
+            shocks=snakemake.input.shocks,
+            fronts=snakemake.input.fronts,
+        )
