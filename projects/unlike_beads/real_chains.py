@@ -1,12 +1,14 @@
-"""Figure 26: a striker on dimers, tapered and disordered chains, and a chain that is driven."""
+"""A striker on dimers, tapered and disordered chains, and a chain that is driven."""
 
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from drawing import write_figure
 from granular_fronts.campaign.averages import mean_over
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import BLACK, new_figure
+from job import job
 
 LIGHT, CONTACT = "beads_mass_cell_2", "record_sensors_far_contacts_2"
 RATIO, OTHER = "beads_mass_taper_ratio", "beads_mass_impurity_mass"
@@ -64,3 +66,17 @@ def _share_energy(axes: Axes, campaign: xr.Dataset) -> None:
     ticks = [share * striker for share in SHARES]
     axes.set_yticks(ticks, [f"{100.0 * share:g} %" for share in SHARES])
     axes.set(ylim=(0.0, 1.05 * striker), ylabel="energy that passes")
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        write_figure(
+            real_chains,
+            snakemake.input.texts,
+            snakemake.output,
+            {},
+            dimers=snakemake.input.dimers,
+            tapers=snakemake.input.tapers,
+            draws=snakemake.input.draws,
+            driven=snakemake.input.driven,
+        )
