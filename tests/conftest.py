@@ -12,11 +12,9 @@ DEFAULTS = load_configuration(DEFAULT)
 collect_ignore = [
     "workflow/test_precision.py",
     "workflow/test_peers.py",
-    "workflow/test_papers.py",
     "figures/test_figures_of_proofs.py",
     "studies/test_hard_cases.py",
     "studies/test_ring_orders.py",
-    "studies/test_tapered_chains.py",
     "referee/test_practitioners.py",
     "referee/test_referee.py",
     "proofs/test_proof_records.py",

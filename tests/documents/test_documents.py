@@ -21,13 +21,14 @@ from granular_fronts.output.datasets import configuration_of, read_dataset
 from granular_fronts.scenes.yaml_files import load_configuration
 from projects import ROOT
 
-START, HOW_TO, PROOFS, PRACTITIONERS, YOUR_PAPER = (
+START, HOW_TO, PROOFS, PRACTITIONERS, YOUR_PROJECT = (
     ROOT / "docs" / f"{name}.md"
-    for name in ("start", "how_to", "proofs", "practitioners", "papers/your_paper")
+    for name in ("start", "how_to", "proofs", "practitioners", "your_project")
 )
 MADE_BY_THE_BUILD = ("generated", "_build", "jupyter_execute")
 DOCUMENTS = [
     *sorted(ROOT.glob("*.md")),
+    *sorted(ROOT.glob("projects/*/README.md")),
     *(
         page
         for page in sorted((ROOT / "docs").rglob("*.md"))
@@ -36,9 +37,9 @@ DOCUMENTS = [
 ]
 
 
-# Those of the pages on extensions and papers are run on a copy of the project, those of proofs as
+# Those of the pages on extensions and projects are run on a copy of the project, those of proofs as
 # they are, those for practitioners in the folder of the answers (test_practitioners.py).
-ELSEWHERE = (EXTENDING, PROOFS, PRACTITIONERS, YOUR_PAPER)
+ELSEWHERE = (EXTENDING, PROOFS, PRACTITIONERS, YOUR_PROJECT)
 SHOWN = {line for page in DOCUMENTS if page not in ELSEWHERE for line in commands(page)}
 NAMED = {
     line for page in DOCUMENTS if page.name != "CHANGELOG.md" for line in commands_in_lines(page)

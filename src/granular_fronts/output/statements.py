@@ -1,6 +1,7 @@
 """Statements that can be true or false, measured on the data of scenes and judged.
 
-A statement is an entry of config/paper_numbers.yaml or of config/findings.yaml: a mapping of
+A statement is an entry of config/paper_numbers.yaml, of config/findings.yaml or of such a file of a
+project: a mapping of
 
 - `quantity`: what is measured, in words;
 - `kind`: `number`, `inequality` or `words` of the paper, or a `finding` of this project;
@@ -8,12 +9,11 @@ A statement is an entry of config/paper_numbers.yaml or of config/findings.yaml:
 - `within`: half-width around a printed number, where it is not half a unit of its last digit;
 - `criterion`: what words and findings are judged by, in one of the forms below;
 - `scene`: the scene, or a list of scenes, whose datasets are measured;
-- `measure`: `module.function`, a function of `granular_fronts.module` that takes these
-  datasets and returns an `Estimate`;
+- `measure`: `module.function`, a function of a module beside the file or of
+  `granular_fronts.module`, that takes these datasets and returns an `Estimate`;
 - `arguments`: what else that function takes, by name;
 - `expected`: the verdict in the default configuration;
 - `not_judged`: why there is no verdict, for a statement that cannot be judged;
-- `check`: what a second method says of a finding of a paper's folder, for the manual;
 - `remark`: what a reader should know.
 
 A statement of the paper holds for the paper's parameters.  If a dataset does not have the

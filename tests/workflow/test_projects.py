@@ -1,0 +1,102 @@
+"""Projects beyond the paper: whole in their folders, which can be added and deleted."""
+
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+from pages import carry_out, commands, run
+from tabulate_statements import find_measure
+
+from granular_fronts.output.statements import (
+    ANSWERS,
+    NOT_JUDGED,
+    criterion_of,
+    range_of_criterion,
+)
+from granular_fronts.scenes.yaml_files import read_yaml
+from projects import ROOT, copy_project, jobs_due, lend_kernels, snakemake
+
+PAGE = ROOT / "docs" / "your_project.md"
+PROJECTS = sorted(file.parent.name for file in ROOT.glob("projects/*/rules.smk"))
+PACKAGES = {"proofs", "referee"}
+FILES = [*ROOT.glob("projects/*/statements.yaml"), *ROOT.glob("projects/*/findings.yaml")]
+STATEMENTS = [(file.parent, statement) for file in FILES for statement in read_yaml(file)]
+
+
+@pytest.mark.parametrize(("folder", "statement"), STATEMENTS, ids=lambda one: str(one)[-60:])
+def test_every_statement_can_be_measured_and_judged_and_its_measure_has_a_test(folder, statement):
+    measure = find_measure(statement["measure"], folder)
+    tests = "".join(file.read_text(encoding="utf-8") for file in folder.glob("test_*.py"))
+    assert "." in measure.__module__ or re.search(rf"\b{measure.__name__}\b", tests)
+    assert (statement["kind"] == "finding") == ("printed" not in statement)
+    if statement["expected"] == NOT_JUDGED:
+        assert statement["not_judged"]
+        return
+    assert statement["expected"] in ANSWERS[statement["kind"]]
+    low, high, _ = range_of_criterion(criterion_of(statement))
+    assert low < high
+
+
+@pytest.mark.parametrize("name", sorted({*PROJECTS} - PACKAGES))
+def test_no_file_outside_its_folder_names_a_project(name):
+    """An attribute or a function of the same name is another thing."""
+    listed = subprocess.run(
+        ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    named = re.compile(rf"(?<![\w.])(?<!def ){name}(?!\w)")
+    for file in map(ROOT.joinpath, listed.stdout.splitlines()):
+        others = (ROOT / "projects" / name) not in file.parents and file.name != "CHANGELOG.md"
+        if others and file.suffix not in {".nc", ".npz", ".gif", ".png"} and file.exists():
+            assert not named.search(file.read_text(encoding="utf-8")), file
+
+
+@pytest.mark.slow
+def test_a_plain_call_makes_nothing_of_a_project(tmp_path):
+    plan = jobs_due("--config", f"results={tmp_path}", "--", "all", *PROJECTS)
+    rules = {job.partition(" ")[0] for job in plan["all"]}
+    for name in PROJECTS:
+        text = (ROOT / "projects" / name / "rules.smk").read_text(encoding="utf-8")
+        assert rules.isdisjoint(re.findall(r"^rule (\w+):| as (\w+) with:", text, re.MULTILINE))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PROJECTS)
+def test_a_project_that_is_deleted_leaves_nothing_behind(name, tmp_path):
+    copy = copy_project(tmp_path)
+    shutil.rmtree(copy / "projects" / name)
+    plan = snakemake("--dry-run", folder=copy)
+    assert plan.returncode == 0, plan.stderr
+    everything = ["-m", "slow or not slow", "-p", "no:cacheprovider"]
+    found = run([sys.executable, "-m", "pytest", "-q", "--collect-only", *everything], copy)
+    assert found.returncode == 0, found.stdout
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory):
+    """A copy with the project of the page."""
+    copy = lend_kernels(copy_project(tmp_path_factory.mktemp("project")))
+    written = carry_out(copy, "Five files", page=PAGE)
+    assert len(written) <= 5
+    assert all(name.startswith("projects/author_2026/") for name in written)
+    return copy
+
+
+@pytest.mark.slow
+def test_a_project_is_added_as_the_page_says(project):
+    assert commands(PAGE) == ["snakemake -c2 author_2026"]
+    outcome = snakemake("author_2026", folder=project)
+    assert outcome.returncode == 0, outcome.stderr
+    verdict = (project / "results/author_2026.txt").read_text(encoding="utf-8")
+    assert verdict == "All 1 verdicts are the expected ones.\n"
+
+
+@pytest.mark.slow
+def test_another_verdict_than_the_expected_one_ends_the_run(project):
+    statements = project / "projects/author_2026/statements.yaml"
+    written = statements.read_text(encoding="utf-8")
+    statements.write_text(written.replace('"0.84"', '"0.85"'), encoding="utf-8")
+    outcome = snakemake("author_2026", folder=project)
+    assert outcome.returncode != 0
+    assert "not reproduced, but reproduced is expected" in outcome.stdout + outcome.stderr
