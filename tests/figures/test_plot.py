@@ -167,6 +167,15 @@ def test_space_and_time_are_coloured_with_gaps_in_red(motions):
     assert image(held).colorbar.extend == "neither"
 
 
+@pytest.mark.parametrize("draw", [gf.plot.chain, gf.plot.space_time])
+def test_a_chain_is_drawn_into_given_panels(motions, draw):
+    given = plt.figure().subplots(1, 2)
+    assert draw(motions["pressure"], ax=given) == tuple(given)
+    assert draw(motions["pressure"])[0].figure is not given[0].figure
+    with pytest.raises(InputError, match="give two axes"):
+        draw(motions["pressure"], ax=given[0])
+
+
 # Notebooks.
 
 
@@ -200,8 +209,8 @@ def test_what_has_nothing_to_show_says_so(fronts):
     unsolved = fronts["powers"].assign_attrs(converged=0, reason="it is too steep")
     with pytest.raises(InputError, match="it is too steep"):
         gf.plot.front(unsolved)
-    with pytest.raises(InputError, match="axes is 'x'"):
-        gf.plot.front(fronts["powers"], axes="x")
+    with pytest.raises(InputError, match="ax is 'x'"):
+        gf.plot.front(fronts["powers"], ax="x")
 
 
 def test_examples_run():

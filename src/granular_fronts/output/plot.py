@@ -11,6 +11,8 @@ are set for each picture separately, so that a notebook's other figures stay as 
 =================  ============================================================================
 """
 
+from collections.abc import Iterable, Sequence
+
 from granular_fronts.errors import InputError
 
 try:
@@ -55,14 +57,14 @@ BETWEEN_MARKS = 0.03
 """Distance of the marks of two snapshots, as a share of the height of a panel."""
 
 
-def front(front: xr.Dataset, axes: Axes | None = None) -> Axes:
+def front(front: xr.Dataset, ax: Axes | None = None) -> Axes:
     r"""Draw the relative displacement u of an exact front over ξ = n − ct.
 
     Parameters
     ----------
     front : xarray.Dataset
         From `granular_fronts.solve_front`, of any law.
-    axes : matplotlib.axes.Axes, optional
+    ax : matplotlib.axes.Axes, optional
         Where to add the curve; a new figure by default.  A new figure shows the ξ at which u
         differs from the states on either side by 0.1 per cent of the jump or more.
 
@@ -89,17 +91,17 @@ def front(front: xr.Dataset, axes: Axes | None = None) -> Axes:
             f"front has not converged ({front.attrs['reason']}): there is nothing to draw."
         )
     with looks_of_figures():
-        new = axes is None
-        axes = _new_axes() if axes is None else instance("axes", axes, Axes, "leave it out")
-        draw_profile(axes, front)
+        new = ax is None
+        ax = _new_axes() if ax is None else instance("ax", ax, Axes, "leave it out")
+        draw_profile(ax, front)
         if "alpha" not in front.attrs:
-            axes.set_ylabel("compression $u$")
+            ax.set_ylabel("compression $u$")
         if new:
-            axes.set_xlim(*_visible_range(front))
-    return axes
+            ax.set_xlim(*_visible_range(front))
+    return ax
 
 
-def chain(motion: xr.Dataset) -> tuple[Axes, Axes]:
+def chain(motion: xr.Dataset, ax: Sequence[Axes] | None = None) -> tuple[Axes, Axes]:
     """Draw relative displacements and velocities along a chain at its snapshots.
 
     Parameters
@@ -107,6 +109,8 @@ def chain(motion: xr.Dataset) -> tuple[Axes, Axes]:
     motion : xarray.Dataset
         From `granular_fronts.simulate_chain`, of any law and with any ends, with `snapshots` in its
         record.
+    ax : sequence of two matplotlib.axes.Axes, optional
+        Where to draw relative displacements and velocities; a new figure by default.
 
     Returns
     -------
@@ -136,7 +140,7 @@ def chain(motion: xr.Dataset) -> tuple[Axes, Axes]:
     fields, opens = moving_parts(motion), contacts_open(motion)
     u = fields["relative_displacement"]
     with looks_of_figures():
-        figure, panels = new_panels(2.7, [list(fields)], plt.figure)
+        panels = dict(zip(fields, _pair(ax, 2.7), strict=True))
         compression, velocity = panels.values()
         marks = []
         for row, time in enumerate(motion["t"].values):
@@ -151,17 +155,23 @@ def chain(motion: xr.Dataset) -> tuple[Axes, Axes]:
         fix_ordinate(compression, u, opens=opens)
         opened = any(np.size(mark.get_xdata()) for mark in marks)
         named = [*velocity.get_lines(), *marks[:opened]]
-        figure.legend(handles=named, loc="outside upper center", ncols=min(len(named), COLUMNS))
+        if ax is None:
+            columns = min(len(named), COLUMNS)
+            velocity.figure.legend(handles=named, loc="outside upper center", ncols=columns)
+        else:
+            velocity.legend(handles=named)
     return compression, velocity
 
 
-def space_time(motion: xr.Dataset) -> tuple[Axes, Axes]:
+def space_time(motion: xr.Dataset, ax: Sequence[Axes] | None = None) -> tuple[Axes, Axes]:
     """Colour the (n, t) plane by relative displacements and by velocities, as in figure 2.
 
     Parameters
     ----------
     motion : xarray.Dataset
         From `granular_fronts.simulate_chain`, with a `grid` in its record.
+    ax : sequence of two matplotlib.axes.Axes, optional
+        Where to draw relative displacements and velocities; a new figure by default.
 
     Returns
     -------
@@ -187,17 +197,28 @@ def space_time(motion: xr.Dataset) -> tuple[Axes, Axes]:
     u, velocity = moving_parts(_on_grid(motion), "_grid").values()
     largest = float(u.max() if contacts_open(motion) else np.abs(u).max())
     with looks_of_figures():
-        _, panels = new_panels(4.4, [["u", "velocity"]], plt.figure)
-        draw_spacetime(panels["u"], u, "relative_displacement", (-largest, largest))
+        left, right = _pair(ax, 4.4)
+        draw_spacetime(left, u, "relative_displacement", (-largest, largest))
         limits = min(0.0, float(velocity.min())), float(velocity.max())
-        draw_spacetime(panels["velocity"], velocity, "velocity", limits)
-    return panels["u"], panels["velocity"]
+        draw_spacetime(right, velocity, "velocity", limits)
+    return left, right
 
 
 def _new_axes() -> Axes:
     """The one panel of a new figure that a notebook shows."""
     _, panels = new_panels(2.8, [["panel"]], plt.figure)
     return panels["panel"]
+
+
+def _pair(ax: Sequence[Axes] | None, height: float) -> tuple[Axes, Axes]:
+    """The two panels that are given, or those of a new figure of some height."""
+    if ax is None:
+        left, right = new_panels(height, [["left", "right"]], plt.figure)[1].values()
+        return left, right
+    given = [*ax] if isinstance(ax, Iterable) else []
+    if len(given) != 2 or not all(isinstance(one, Axes) for one in given):
+        raise InputError(f"ax is {ax!r}: give two axes of Matplotlib, or leave it out.")
+    return given[0], given[1]
 
 
 def _visible_range(front: xr.Dataset) -> tuple[float, float]:
