@@ -23,7 +23,7 @@ def compiled_powers(x, exponent):
     return mapped(hertz(exponent), 1, x)
 
 
-@pytest.mark.parametrize("exponent", [1.0 / 3.0, 1.0, 1.01, 1.5, 2.5, 3.0])
+@pytest.mark.parametrize("exponent", [1.0 / 3.0, 1.0, 1.01, 1.5, 2.5, 5.0])
 @pytest.mark.parametrize(("smallest", "largest"), RANGES)
 def test_power_is_right_to_the_last_places(exponent, smallest, largest):
     draw = np.random.default_rng(0).uniform(np.log(smallest), np.log(largest), 500)
