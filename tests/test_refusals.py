@@ -229,10 +229,6 @@ SECTIONS = [
     (("scenes.heteroclinic.weak", ORBIT), "weak has the name of scenes.heteroclinic.weak"),
     (("precision.log_burgers.nosuch", ...), "nosuch names no periodic scene | weak, hertz"),
     # Counts and steps beyond the schema's limits.
-    (
-        ("proofs.intervals.hertz.parts", [{"to": 1, "chunks": 10**9}]),
-        "chunks is 1000000000 | 10000",
-    ),
     (("exact_fronts.survey.gamma.num", 10**9), "num is 1000000000 | limit 10000"),
     (("exact_fronts.multipliers.beads_behind", [10**6]), "(entry 1) is 1000000 | 2000"),
     (("laws.damping_regimes.points", 10**9), "points is 1000000000 | 100000"),
@@ -287,10 +283,6 @@ SECTIONS = [
     ((STATES, lattice({"kind": "toda"}, -2, -2)), "cases.mine.states are -2 and -2"),
     ((STATES, lattice({"kind": "hertz", "alpha": 2}, 0, 1)), "cases.mine.states are 0 and 1"),
     ((STATES, lattice({"kind": "lennard_jones"}, -5, 0)), "cases.mine.states has -5 | -1 and inf"),
-    (("proofs.fronts.hertz_1.gamma", [0.31, 0.3]), "fronts.hertz_1.gamma goes from 0.31 to 0.3"),
-    (("proofs.fronts.hertz_1.gamma", [0.3, 0.3]), "fronts.hertz_1.gamma goes from 0.3 to 0.3"),
-    (("proofs.shown", "dashpots_0_3"), "shown is dashpots_0_3, with β = 1"),
-    (("proofs.shown", "nosuch"), "shown is nosuch | figure_1"),
 ]
 
 

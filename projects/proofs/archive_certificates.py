@@ -10,28 +10,26 @@ from pathlib import Path
 
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.files import complete_file
-from step import run_step
+from job import job
 
 SUMS = "SHA256SUMS"  # checked by: sha256sum -c SHA256SUMS
 
 
-def archive_certificates(
-    fronts: Path, intervals: Path, folder: Path, archive: Path, sums: Path
-) -> None:
+def archive_certificates(fronts: str, intervals: str, folder: str, archive: str, sums: str) -> None:
     """Archive the certificates that two datasets name.
 
     Parameters
     ----------
-    fronts, intervals : Path
+    fronts, intervals : str
         Written by prove_fronts and join_intervals.
-    folder : Path
+    folder : str
         All certificates lie in folders inside it, one for each family, as in the archive.
-    archive : Path
+    archive : str
         The tar file to write: certificates are compressed already.
-    sums : Path
+    sums : str
         The sums again, in a file next to the archive.
     """
-    known = (read_dataset(path, path.stem)["file"].values for path in (fronts, intervals))
+    known = (read_dataset(path)["file"].values for path in (fronts, intervals))
     files = sorted(Path(str(file)) for part in known for file in part)
     members = {file.relative_to(folder).as_posix(): file.read_bytes() for file in files}
     lines = (f"{hashlib.sha256(data).hexdigest()}  {name}\n" for name, data in members.items())
@@ -46,4 +44,11 @@ def archive_certificates(
 
 
 if __name__ == "__main__":
-    run_step(archive_certificates, globals()["snakemake"])
+    with job(snakemake):
+        archive_certificates(
+            snakemake.input.fronts,
+            snakemake.input.intervals,
+            snakemake.params.folder,
+            snakemake.output.archive,
+            snakemake.output.sums,
+        )

@@ -1,27 +1,27 @@
 """Evaluate the enclosure of a front that is proved, from its certificate."""
 
-from pathlib import Path
-
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.proofs.enclosure import enclosure_dataset
-from step import run_step
+from job import job
 
 
-def enclose_front(front: dict, folder: Path, enclosure: Path) -> None:
+def enclose_front(certificate: str, front: dict, dataset: str) -> None:
     """Evaluate an enclosure.
 
     Parameters
     ----------
+    certificate : str
+        File of the certificate.
     front : dict
-        `name` of the front among those that are proved, and its parameters.
-    folder : Path
-        Where its certificate lies.
-    enclosure : Path
+        Parameters of the front, which the data name.
+    dataset : str
         The netCDF file to write.
     """
-    data = enclosure_dataset(folder / f"{front['name']}.npz")
-    write_dataset(data, enclosure, scene_id="shown_front", config=front)
+    write_dataset(enclosure_dataset(certificate), dataset, scene_id="shown_front", config=front)
 
 
 if __name__ == "__main__":
-    run_step(enclose_front, globals()["snakemake"])
+    with job(snakemake):
+        enclose_front(
+            snakemake.params.certificate, snakemake.params.front, snakemake.output.dataset
+        )

@@ -1,4 +1,4 @@
-"""Figure 24: a front that is proved, its enclosure, and bounds of both tails."""
+"""A front that is proved, its enclosure, and bounds of both tails."""
 
 from typing import Any
 
@@ -7,7 +7,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from drawing import write_figure
 from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, PROBE_COLOURS, new_figure
+from job import job
 
 VISIBLE = 0.03  # width of the enclosure that the eye sees
 FLOOR = 1e-16  # of a logarithmic axis, where the enclosure reaches 0
@@ -93,3 +95,14 @@ def _draw_ahead(axes: Axes, data: xr.Dataset) -> None:
     axes.plot(xi, line, "--", color=CHAIN_COLOUR, linewidth=0.8, label=r"slope $\ln\alpha$")
     axes.set(yscale="log", xlabel=r"$\xi$", ylabel=r"$-\ln u$", title="ahead of the front")
     axes.legend(fontsize=7)
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        write_figure(
+            enclosed_front,
+            snakemake.input.texts,
+            snakemake.output,
+            snakemake.params.shown,
+            data=snakemake.input.data,
+        )

@@ -11,19 +11,19 @@ import xarray as xr
 from granular_fronts.output.datasets import read_dataset, write_dataset
 from granular_fronts.proofs.families import prove, record
 from granular_fronts.proofs.records import records_dataset
-from step import run_step
+from job import job
 
 
-def join_intervals(chunks: list[Path], intervals: dict, dataset: Path) -> None:
+def join_intervals(chunks: list[str], intervals: dict, dataset: str) -> None:
     """Prove the junctions of neighbouring chunks from the files, and write all that is proved.
 
     Parameters
     ----------
-    chunks : list of Path
+    chunks : list of str
         Files of the chunks, in the order of γ for each family.
     intervals : dict
-        As under ``proofs.intervals`` of the configuration.
-    dataset : Path
+        As under ``intervals`` of config.yaml.
+    dataset : str
         The netCDF file to write.
 
     Raises
@@ -54,4 +54,5 @@ def _joined(before: xr.Dataset, after: xr.Dataset) -> xr.Dataset:
 
 
 if __name__ == "__main__":
-    run_step(join_intervals, globals()["snakemake"])
+    with job(snakemake):
+        join_intervals(snakemake.input.chunks, snakemake.params.intervals, snakemake.output.dataset)

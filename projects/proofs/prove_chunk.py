@@ -12,21 +12,21 @@ from granular_fronts.output.datasets import write_dataset
 from granular_fronts.proofs.balls import NotProvedError
 from granular_fronts.proofs.intervals import prove_interval
 from granular_fronts.proofs.records import records_dataset
-from step import run_step
+from job import job
 
 SECONDS_BETWEEN_LINES = 20.0  # in the log
 
 
-def prove_chunk(chunk: dict, folder: Path, dataset: Path) -> None:
+def prove_chunk(chunk: dict, folder: str, dataset: str) -> None:
     """Prove a chunk.
 
     Parameters
     ----------
     chunk : dict
         `alpha`, `low` and `high`, and further arguments of `prove_interval`.
-    folder : Path
+    folder : str
         Receives the certificates, and may hold certificates of a run that was stopped.
-    dataset : Path
+    dataset : str
         The netCDF file to write.
 
     Raises
@@ -49,7 +49,7 @@ def prove_chunk(chunk: dict, folder: Path, dataset: Path) -> None:
             " of the interval more cells, a finer inverse behind or a smaller drift."
         ) from failure
     _show_progress(rows, chunk)
-    write_dataset(records_dataset(rows), dataset, scene_id=dataset.stem, config=chunk)
+    write_dataset(records_dataset(rows), dataset, scene_id=Path(dataset).stem, config=chunk)
 
 
 def _show_progress(rows: list[dict], chunk: dict) -> None:
@@ -66,4 +66,5 @@ def _show_progress(rows: list[dict], chunk: dict) -> None:
 
 
 if __name__ == "__main__":
-    run_step(prove_chunk, globals()["snakemake"])
+    with job(snakemake):
+        prove_chunk(snakemake.params.chunk, snakemake.params.folder, snakemake.output.dataset)

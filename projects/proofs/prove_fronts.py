@@ -7,19 +7,19 @@ from typing import Any
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.proofs.certificate import prove_front
 from granular_fronts.proofs.records import records_dataset
-from step import run_step
+from job import job
 
 
-def prove_fronts(fronts: dict, folder: Path, dataset: Path) -> None:
+def prove_fronts(fronts: dict, folder: str, dataset: str) -> None:
     """Prove fronts one after another.
 
     Parameters
     ----------
     fronts : dict
-        As under ``proofs.fronts`` of the configuration.
-    folder : Path
+        As under ``fronts`` of config.yaml.
+    folder : str
         Receives the certificates.
-    dataset : Path
+    dataset : str
         The netCDF file to write.
 
     Raises
@@ -27,8 +27,8 @@ def prove_fronts(fronts: dict, folder: Path, dataset: Path) -> None:
     ValueError
         If one is not proved.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    rows = [_prove(name, case, folder / f"{name}.npz") for name, case in fronts.items()]
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    rows = [_prove(name, case, Path(folder, f"{name}.npz")) for name, case in fronts.items()]
     write_dataset(records_dataset(rows), dataset, scene_id="fronts", config=fronts)
 
 
@@ -46,4 +46,5 @@ def _prove(name: str, case: dict[str, Any], path: Path) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    run_step(prove_fronts, globals()["snakemake"])
+    with job(snakemake):
+        prove_fronts(snakemake.params.fronts, snakemake.params.folder, snakemake.output.dataset)

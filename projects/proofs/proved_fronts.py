@@ -1,4 +1,4 @@
-"""Figure 23: which fronts are proved, over exponent and damping, and what of them."""
+"""Which fronts are proved, over exponent and damping, and what of them."""
 
 from collections.abc import Iterator
 from itertools import cycle
@@ -11,7 +11,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator, NullLocator
 
+from drawing import write_figure
 from granular_fronts.output.style import ALARM_COLOUR, BLUE, LIGHT_BLUE, new_figure
+from job import job
 
 # What is proved of the shape: in words, its colour, and the mark of a single front.
 SHAPES = {
@@ -112,3 +114,15 @@ def _draw_bounds(
         axes.plot(middles, family[name], line, color="0.35", markevery=[], label=label, **marks)
         axes.plot(single["gamma_low"], single[name], linestyle="none", color="black", **marks)
     axes.set_yscale("log")
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        write_figure(
+            proved_fronts,
+            snakemake.input.texts,
+            snakemake.output,
+            snakemake.params.shown,
+            fronts=snakemake.input.fronts,
+            intervals=snakemake.input.intervals,
+        )

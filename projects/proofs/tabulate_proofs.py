@@ -4,7 +4,6 @@ import math
 from collections.abc import Iterator
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,26 +12,26 @@ import xarray as xr
 
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.tables import round_floats, write_table
-from step import run_step
+from job import job
 
 
 def tabulate_proofs(
-    fronts: Path,
-    intervals: Path,
-    csv: Path,
-    markdown: Path,
-    margins_csv: Path,
-    margins_markdown: Path,
+    fronts: str,
+    intervals: str,
+    csv: str,
+    markdown: str,
+    margins_csv: str,
+    margins_markdown: str,
 ) -> None:
     """Write a row for each front and each family, and one for each of their inequalities.
 
     Parameters
     ----------
-    fronts, intervals : Path
+    fronts, intervals : str
         Written by prove_fronts and join_intervals.
-    csv, markdown : Path
+    csv, markdown : str
         Table of statements to write.
-    margins_csv, margins_markdown : Path
+    margins_csv, margins_markdown : str
         Table of margins to write.
     """
     single, joined = read_dataset(fronts, "fronts"), read_dataset(intervals, "intervals")
@@ -128,4 +127,12 @@ def margins(name: str, group: xr.Dataset) -> Iterator[dict[str, Any]]:
 
 
 if __name__ == "__main__":
-    run_step(tabulate_proofs, globals()["snakemake"])
+    with job(snakemake):
+        tabulate_proofs(
+            snakemake.input.fronts,
+            snakemake.input.intervals,
+            snakemake.output.csv,
+            snakemake.output.markdown,
+            snakemake.output.margins_csv,
+            snakemake.output.margins_markdown,
+        )

@@ -17,7 +17,6 @@ from granular_fronts.scenes.honesty import Honesty
 from granular_fronts.scenes.orbit import Orbits
 from granular_fronts.scenes.parts import Listed, Named, Part, Positive
 from granular_fronts.scenes.precision import Precision
-from granular_fronts.scenes.proofs import Proofs
 from granular_fronts.scenes.ring import Ring
 from granular_fronts.scenes.sentences import LONGEST_SHOWN, Scene, read_part
 from granular_fronts.scenes.studies import ExactFronts, Exponent, Laws
@@ -75,7 +74,6 @@ class Configuration(Part):
     precision: Precision
     honesty: Honesty
     hard_cases: HardCases = Field(description="Problems at the edge of what the solvers can do.")
-    proofs: Proofs
     projects: dict[str, dict[str, Any]] = Field(
         {}, description="Settings of projects by their names, laid over the config.yaml of each."
     )

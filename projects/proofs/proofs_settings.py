@@ -1,4 +1,4 @@
-"""The section ``proofs``: which fronts are proved, and which of them is drawn."""
+"""Which fronts are proved, and which of them is drawn within its enclosure."""
 
 from collections.abc import Iterator
 from itertools import pairwise
@@ -73,10 +73,12 @@ class Family(_Start):
 
 
 class Proofs(Part):
-    """Fronts that are proved by ball arithmetic (β = α, δ = c = 1), by the target proofs."""
+    """Fronts that are proved by ball arithmetic (δ = c = 1)."""
 
     fronts: Named[ProvedFront] = Field(description="Single fronts; the key names the certificate.")
-    shown: str = Field(min_length=1, description="Name of the front of figure enclosed_front.")
+    shown: str = Field(
+        min_length=1, description="Name of the front that is drawn within its enclosure."
+    )
     intervals: Named[Family] = Field(
         description="Families of fronts for all γ of an interval; the key names the family."
     )
