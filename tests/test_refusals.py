@@ -209,7 +209,7 @@ FRONT_SCENE = "scenes.front.underdamped"
 BALL = {"gamma": 0.05, "mass": 0.147, "radius": 0.0165}
 GLASS, STATES = "laws.materials.beads.glass", "laws.jump_conditions.cases.mine"
 RING = "scenes.periodic.weak"
-THETA, HALF_STEPS = "laws.numerical_damping", "laws.half_step_damping"
+THETA = "laws.numerical_damping"
 BEADS, HEAVY = "scenes.chain.initiation_overdamped.beads", {"impurity": {"bead": 30, "mass": 5}}
 
 
@@ -235,8 +235,6 @@ SECTIONS = [
     (("laws.jump_conditions.beads", 10**9), "beads is 1000000000 | 100000"),
     ((f"{THETA}.profile.step", 1e-12), "profile.step is 1e-12 | 1e-06"),
     ((f"{THETA}.order.steps", [0.24]), "order.steps has 1 entry | limit 3"),
-    ((f"{HALF_STEPS}.alpha", 2), "alpha is 2 | limit 1.5"),
-    ((f"{HALF_STEPS}.gammas", [0.05, 0.2]), "gammas (entry 2) is 0.2 | limit 0.13"),
     ((f"{STATES}", lattice({"kind": "toda"}, -1, -0.5, 0)), "states has 3 entries: list 2"),
     (("precision.chain.contact_loss.repeats", 10**12), "repeats is 1000000000000 | 1000 or"),
     (("precision.chain.contact_loss.end_time", 1e300), "end_time is 1e+300 | 10000"),
@@ -253,10 +251,6 @@ SECTIONS = [
     (
         (f"{RING}.equations.unlimited.cells", 10**8),
         "equations.unlimited.cells is 100000000 | 48 GiB",
-    ),
-    (
-        (HALF_STEPS, {"collision_times": 1000, "steps_per_collision": [10, 99, 10**4]}),
-        "collision_times is 1000 and | 18 GiB",
     ),
     # Fronts.
     ((f"{FRONT_SCENE}.law.alpha", 1), "law.alpha is 1 | above 1"),
@@ -279,7 +273,6 @@ SECTIONS = [
     (("exact_fronts.survey.gamma.start", 2), "survey.gamma.start is 2 | stop 2"),
     ((f"{THETA}.profile.step", 0.7), "profile.step is 0.7"),
     # Laws, states, what is shown.
-    ((f"{HALF_STEPS}.shown.beta", 1.1), "shown.beta is 1.1 | 1.5, 1.25, 1"),
     ((STATES, lattice({"kind": "toda"}, -2, -2)), "cases.mine.states are -2 and -2"),
     ((STATES, lattice({"kind": "hertz", "alpha": 2}, 0, 1)), "cases.mine.states are 0 and 1"),
     ((STATES, lattice({"kind": "lennard_jones"}, -5, 0)), "cases.mine.states has -5 | -1 and inf"),

@@ -1,4 +1,4 @@
-"""Figure 22: what the step of discrete-element codes does to a front, and what does not see it."""
+"""What the step of discrete-element codes does to a front, and what does not see it."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -10,8 +10,10 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import NullLocator
 
+from drawing import write_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, PROBE_COLOURS, new_figure
+from job import job
 
 CHECKS = {
     "excess_overshoot": ("damping, by the overshoot", PROBE_COLOURS[0], "-", "o", 2.0),
@@ -113,3 +115,14 @@ def _laws(data: xr.Dataset) -> Iterator[Line2D]:
         yield Line2D([], [], linestyle="-", color=colour, label=rf"$\gamma = {gamma:g}$")
     for style, beta in zip(BETA_STYLES, data["beta"].values, strict=False):
         yield Line2D([], [], linestyle=style, color="0.4", label=rf"$\beta = {beta:g}$")
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        write_figure(
+            half_step_damping,
+            snakemake.input.texts,
+            snakemake.output,
+            snakemake.params.shown,
+            data=snakemake.input.data,
+        )

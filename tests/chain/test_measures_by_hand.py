@@ -116,12 +116,6 @@ CHOICE = dataset(
     quotient_power=(QUOTIENTS, [[0.0, 0.5], [-1.0, -0.5]]),
     quotient_power_error=(QUOTIENTS, [[0.1, 0.2], [0.3, 0.4]]),
 )
-DAMPINGS = {"beta": [1.0, 1.5], "gamma": [0.05, 0.13]}
-HALF_STEPS = dataset(
-    order=(DAMPINGS, [[1.0, 1.1], [1.2, 1.3]]),
-    order_error=(DAMPINGS, [[0.1, 0.2], [0.3, 0.4]]),
-    excess_tail=({**DAMPINGS, "step": [0.02, 0.05]}, np.arange(8.0).reshape(2, 2, 2)),
-)
 WAVES = dataset(
     oscillation=({"gamma": [0.0, 0.06], "t": [1.0, 2.0, 4.0]}, [[4, 5, 6], [2, 1, 0.5]]),
     oscillation_error=({"gamma": [0.0, 0.06], "t": [1.0, 2.0, 4.0]}, np.full((2, 3), 0.1)),
@@ -343,14 +337,6 @@ BY_HAND = [
     (laws.observed_order, CHOICE, {"form": VARIABLES[1], "scheme": "rk4"}, 1.5, 0.4),
     (laws.order_gain, CHOICE, {"scheme": "rk4"}, 1.0, 0.6),
     (laws.quotient_power, CHOICE, {"form": VARIABLES[0], "beta": 1.5}, 0.5, 0.2),
-    (laws.order_of_half_steps, HALF_STEPS, {"beta": 1.5, "gamma": 0.05}, 1.2, 0.3),
-    (
-        laws.excess_damping,
-        HALF_STEPS,
-        {"observable": "tail", "beta": 1.5, "gamma": 0.05, "steps_per_collision": 50},
-        4.0,
-        1e-3,
-    ),
     (laws.persistence, WAVES, {"gamma": 0.0}, 1.5, 0.1 / 4 + 1.5 * 0.1 / 4),
     (laws.persistence, WAVES, {"gamma": 0.06}, 0.25, 0.1 / 2 + 0.25 * 0.1 / 2),
     (laws.spreading, WAVES, {"alpha": 1.0}, 2.0, 0.06),

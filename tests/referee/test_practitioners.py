@@ -1,5 +1,6 @@
-"""The numbers of docs/practitioners.md are those of the study and of the referee."""
+"""The numbers of docs/practitioners.md are those of the referee."""
 
+import math
 import os
 import re
 import sys
@@ -9,113 +10,31 @@ import numpy as np
 import pytest
 from half_steps import half_steps, write_dump
 from lammps import LAMMPS, needs_lammps
-from pages import README, commands, run
-from write_referee import write_referee
+from pages import commands, run
 
 from granular_fronts.referee.answers import solve
 from granular_fronts.referee.assessment import find, report
+from granular_fronts.referee.files import write_problems
 from granular_fronts.referee.lammps_deck import write_deck
 from granular_fronts.referee.lammps_run import run_lammps
 from granular_fronts.referee.problems import load_problems
 from granular_fronts.referee.settings import read_settings
-from granular_fronts.scenes.yaml_files import load_configuration
-from granular_fronts.studies.half_step_damping import _measure_excess, measure_half_step_damping
-from granular_fronts.studies.half_step_motions import Case, collision_time
 from projects import ROOT
 
 DOCUMENT = ROOT / "docs" / "practitioners.md"
 PAGE = DOCUMENT.read_text(encoding="utf-8")
-SETTINGS = read_settings(ROOT / "config" / "referee.yaml")
-PROBLEMS = load_problems(SETTINGS)
+SETTINGS = read_settings()
+PROBLEMS = load_problems()
 QUOTED = re.search(r"```\n(front_steel_viscoelastic: .*?)\n```", PAGE, re.DOTALL).group(1)
 PACKAGES = str(ROOT / "src")
-COLUMNS = ("excess_overshoot", "excess_tail", *(f"{n}_defect" for n in ("restitution", "energy")))
-COLUMNS += ("speed_defect", "momentum_defect")
+# That of two beads meeting at the velocity of a front, of δ = 1 and of the problems.
+UNIT = 2.0 * 0.625**0.4 * math.sqrt(math.pi) * math.gamma(1.4) / math.gamma(0.9)
+COLLISION_TIME = UNIT * SETTINGS.displacement**-0.25
 
 
 def numbers(sentence):
     """The numbers of a sentence of the page, wherever its lines end."""
     return tuple(map(float, re.search(sentence, " ".join(PAGE.split())).groups()))
-
-
-def last_digit(number):
-    """Half a unit of the last digit of a decimal number."""
-    return 0.5 * 10.0 ** -len(number.partition(".")[2])
-
-
-@pytest.fixture(scope="module")
-def measured():
-    scene = load_configuration(ROOT / "config" / "default.yaml")["laws"]["half_step_damping"]
-    shown = scene["shown"]
-    assert shown["beta"] == 1.5
-    assert shown["gamma"] == 0.05
-    return measure_half_step_damping(**scene | {"steps_per_collision": [10, 20, 50, 100]})
-
-
-def test_table_of_checks(measured):
-    rows = re.findall(r"^\| 1/(\d+) \| (.*) \|$", PAGE, re.MULTILINE)
-    assert [int(count) for count, _ in rows] == [10, 20, 50, 100]
-    for count, cells in rows:
-        at = measured.sel(beta=1.5, gamma=0.05).sel(step=1.0 / int(count), method="nearest")
-        for name, cell in zip(COLUMNS, cells.split(" | "), strict=True):
-            if cell.startswith("<"):
-                assert float(at[name]) < float(cell[1:])
-                continue
-            number = cell.removesuffix(" %")
-            assert 100.0 * float(at[name]) == pytest.approx(float(number), abs=last_digit(number))
-    excess = measured["excess_overshoot"].sel(beta=1.5, gamma=0.05)
-    [printed] = re.findall(
-        r"step of \$t_c/20\$,[^%]*about (\d+) % too much", README.read_text("utf-8")
-    )
-    assert round(100.0 * excess.sel(step=0.05, method="nearest").item()) == int(printed)
-    fine = excess.sel(step=slice(0.0201, None))
-    percent = tuple(sorted((100.0 * fine).round().values))
-    assert percent == numbers(
-        r"the error is (\S+) to (\S+) % of the damping with β = 3/2 and γ = 0.05"
-    )
-
-
-def holds_tightly(ratio, low, high):
-    """Whether printed limits are those of some ratios, to the digits printed."""
-    return low <= ratio.min() < low + 0.015 and high - 0.015 < ratio.max() <= high
-
-
-RULE = re.search(
-    r"(\S+) to (\S+) times this in the middle of (\d+) beads. In the middle of (\d+) beads, .*?"
-    r" it is (\S+) to (\S+) times \$h/t_c\$ with β = 5/4, and (\S+) to (\S+) times with β = 1\.",
-    " ".join(PAGE.split()),
-)
-
-
-def test_overshoot_and_tail_in_a_short_chain(measured):
-    """A table, and the share of the tail, which grows with γ."""
-    rows = re.findall(r"^  \| (0\.\d+) \| (.*) \|$", PAGE, re.MULTILINE)
-    assert [float(gamma) for gamma, _ in rows] == measured["gamma"].values.tolist()
-    fine = measured[["excess_overshoot", "excess_tail"]].sel(step=slice(0.0201, None))
-    fine = fine.transpose("gamma", "beta", "step")
-    printed = [[cell.split(", ") for cell in cells.split(" | ")] for _, cells in rows]
-    ratios = fine["excess_overshoot"] / fine["step"]
-    np.testing.assert_allclose(ratios, np.array(printed, float), rtol=0, atol=0.005)
-    share = (fine["excess_tail"] / fine["excess_overshoot"]).values
-    assert holds_tightly(share, *numbers(r"excess is (\S+) to (\S+) times that of the overshoot"))
-    assert np.all(np.diff(share, axis=0) > 0.0)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("beta", "gammas", "beads", "end", "printed"),
-    [
-        (1.5, (0.01, 0.03, 0.13), RULE[3], 208, RULE.group(1, 2)),
-        (1.25, (0.01, 0.13), RULE[4], 108, RULE.group(5, 6)),
-        (1.0, (0.01, 0.13), RULE[4], 108, RULE.group(7, 8)),
-    ],
-)
-def test_rule_of_thumb_in_a_long_chain(beta, gammas, beads, end, printed):
-    unit, counts = collision_time(1.5), np.array([50.0, 100.0, 200.0])
-    chains = [Case(1.5, beta, gamma, int(beads), end * unit) for gamma in gammas]
-    ratios = [_measure_excess(case, unit / counts)["excess_overshoot"] * counts for case in chains]
-    ratios = np.array(ratios)[:, : None if beta == 1.5 else 2]
-    assert holds_tightly(ratios, *map(float, printed))
 
 
 def found_by_half_steps(name, *steps):
@@ -143,11 +62,10 @@ def test_what_the_referee_says_of_a_solitary_wave():
     read = numbers(r"0\.5 apart, as above, it is (\S+)\. Long waves")
     assert (findings[0].exact,) == pytest.approx(read, abs=5.1e-7)
     assert 100.0 * (1.0 - 0.8**0.5 / value) == pytest.approx(1.2, abs=0.05)
-    collision = collision_time(1.5) * SETTINGS.displacement**-0.25
     *counts, _ = numbers(
         r"At \$t_c/(\d+)\$ the number is off by \S+ %, at \$t_c/(\d+)\$ by (\S+) %"
     )
-    assert [round(collision / one.step) for one in findings[:2]] == list(counts)
+    assert [round(COLLISION_TIME / one.step) for one in findings[:2]] == list(counts)
     defects = [100.0 * (one.measurement / one.exact - 1.0) for one in findings[:2]]
     printed = numbers(r"the number is off by (\S+) %, at \$t_c/43\$ by (\S+) %")
     assert defects == pytest.approx(printed, rel=0.03)
@@ -206,8 +124,8 @@ def test_ejected_beads():
 def test_problems_and_the_time_of_a_collision():
     assert numbers(r"writes (\d+) problems into `results/referee`") == (len(PROBLEMS),)
     unit, count = numbers(r"t_c = (\S+)\$, so that 0\.1 is \$t_c/(\d+)\$\.")
-    exact = collision_time(1.5) * SETTINGS.displacement**-0.25
-    assert (round(exact, 2), round(exact / 0.1)) == (unit, count)
+    assert (round(COLLISION_TIME, 2), round(COLLISION_TIME / 0.1)) == (unit, count)
+    assert (round(UNIT, 3),) == numbers(r"in the units of the front (\S+)\. Judged")
 
 
 @pytest.mark.slow
@@ -226,13 +144,12 @@ def test_commands_run_as_shown(tmp_path):
     make, enter, ask = commands(DOCUMENT)
     assert make == "snakemake -c2 referee"
     folder = tmp_path / enter.removeprefix("cd ")
-    front = {"front": SETTINGS.motions.front.plain() | {"dampings": ["steel"]}}
-    write_referee(SETTINGS.plain() | {"motions": front}, folder / "answers.csv")
+    name = "front_steel_viscoelastic"
+    write_problems({name: PROBLEMS[name]}, folder / "answers.csv")
     for step in (0.25, 0.1, 0.05, 0.025):
-        result = half_steps(PROBLEMS["front_steel_viscoelastic"], step)
-        write_dump(folder / f"front_steel_viscoelastic_{step}.dump", result)
+        write_dump(folder / f"{name}_{step}.dump", half_steps(PROBLEMS[name], step))
     path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
     outcome = run(["bash", "-c", f"{enter} && {ask}"], tmp_path, PATH=path, PYTHONPATH=PACKAGES)
     assert outcome.returncode == 0, outcome.stderr
     assert QUOTED in outcome.stdout
-    assert (folder / "front_steel_viscoelastic.png").stat().st_size > 10_000
+    assert (folder / f"{name}.png").stat().st_size > 10_000

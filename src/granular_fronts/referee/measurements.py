@@ -18,10 +18,9 @@ derived this for long waves, and Coste, Falcon and Fauve measured it in a chain 
 """
 
 import numpy as np
+from scipy.interpolate import CubicHermiteSpline, KroghInterpolator
 
 from granular_fronts.referee.settings import APART
-from granular_fronts.studies.half_step_damping import excess_by_table
-from granular_fronts.studies.half_step_motions import cubic_between
 
 LEAST_FALL = 1.0e-4  # of a measurement from one tabulated damping to the next, relative
 
@@ -84,3 +83,17 @@ def first_peak(t, u, rate):
     turns = curve.derivative().roots(extrapolate=False)
     best = turns[0] if turns.size else t[state + int(np.argmax(u[state : state + 2]))]
     return float(best), float(curve(best))
+
+
+def excess_by_table(peaks, factors, table):
+    """Return γ of the accurate motion with a number, over γ, less 1; NaN beyond the table."""
+    inside = (peaks <= max(table)) & (peaks >= min(table))
+    # Barycentric weights of SciPy are multiplied in random order, unlike these differences.
+    logarithm = KroghInterpolator(table, np.log(factors))
+    return np.where(inside, np.expm1(logarithm(peaks)), np.nan)
+
+
+def cubic_between(t, u, rate, state):
+    """Return the cubic that has u and its rate at a state and at the next."""
+    pair = slice(state, state + 2)
+    return CubicHermiteSpline(t[pair], u[pair], rate[pair])

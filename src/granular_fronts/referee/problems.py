@@ -12,9 +12,8 @@ from typing import Any
 
 from pydantic import Field
 
-from granular_fronts.errors import InputError
 from granular_fronts.referee.lammps_deck import damping_model
-from granular_fronts.referee.settings import LABEL, Settings
+from granular_fronts.referee.settings import Kind, Settings, read_settings
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.parts import Part, Several
 from granular_fronts.scenes.sentences import read_part
@@ -69,39 +68,31 @@ class Problem(Part):
         return self.displacement ** (0.5 * (ALPHA + 1.0))
 
 
-def load_problems(settings: Mapping[str, Any] | Settings) -> dict[str, Problem]:
-    """Return all problems of the section ``referee`` of config/referee.yaml, by their names.
+def load_problems(settings: Mapping[str, Any] | Settings | None = None) -> dict[str, Problem]:
+    """Return all problems by their names, those of problems.yaml or of other settings.
 
     An InputError says in a sentence what is wrong, such as a law that LAMMPS does not have.
     """
-    settings = read_part(Settings, settings, LABEL)
-    found: dict[str, Problem] = {}
-    for motion, chain in settings.motions.by_name().items():
-        for damping in chain.dampings:
-            strength = settings.dampings[damping]
-            for law, beta in (settings.laws if strength else {"hertz": ALPHA}).items():
-                name = f"{motion}_{damping}_{law}"
-                if name in found:
-                    raise InputError(
-                        f"{LABEL}two problems are called {name}: rename a damping or a law."
-                    )
-                found[name] = Problem(
-                    name=name,
-                    motion=motion,
-                    scene=_scene_of(name, motion, beta, strength, settings),
-                    displacement=settings.displacement,
-                    interval=settings.interval,
-                    factors=settings.factors,
-                )
-    return found
+    settings = read_settings() if settings is None else read_part(Settings, settings)
+    return {
+        name: Problem(
+            name=name,
+            motion=motion,
+            scene=_scene_of(name, motion, settings.laws.get(law, ALPHA), damping, settings),
+            displacement=settings.displacement,
+            interval=settings.interval,
+            factors=settings.factors,
+        )
+        for name, (motion, damping, law) in settings.combinations().items()
+    }
 
 
-def _scene_of(name: str, motion: str, beta: float, damping: float, settings: Settings) -> Chain:
+def _scene_of(name: str, motion: Kind, beta: float, damping: str, settings: Settings) -> Chain:
     """Return the chain of one problem, whose law LAMMPS has."""
-    delta, chain = settings.displacement, settings.motions.by_name()[motion]
-    label, pressed = f"{LABEL}problem {name}: ", MOTIONS[motion] == PRESSED
+    delta, chain = settings.displacement, settings.motions[motion]
+    pressed = MOTIONS[motion] == PRESSED
+    gamma = settings.dampings[damping] * delta ** (0.5 * (ALPHA + 1.0) - beta)
     velocity = 0.0 if pressed else delta ** (0.5 * (ALPHA + 1.0))
-    gamma = damping * delta ** (0.5 * (ALPHA + 1.0) - beta)
     scene = {
         "law": {"alpha": ALPHA, "beta": beta, "gamma": gamma},
         "beads": chain.beads,
@@ -115,11 +106,8 @@ def _scene_of(name: str, motion: str, beta: float, damping: float, settings: Set
         "tolerance": settings.tolerance,
         "record": {"snapshots": [], "grid": {"step": settings.interval}, "extremes": True},
     }
-    made = read_part(Chain, scene, label)
-    try:
-        damping_model(made.law)
-    except InputError as error:
-        raise InputError(f"{label}{error}") from None
+    made = read_part(Chain, scene, f"Problem {name}: ")
+    damping_model(made.law)
     return made
 
 

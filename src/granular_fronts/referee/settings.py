@@ -1,80 +1,39 @@
-"""What config/referee.yaml asks for: the motions, dampings and laws that make the problems."""
+"""What problems.yaml asks for: the motions, dampings and laws that make the problems."""
 
 import math
 from collections.abc import Iterator
-from itertools import pairwise
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from granular_fronts.scenes.chain import Tolerance
-from granular_fronts.scenes.memory import Held, memory_problems
 from granular_fronts.scenes.parts import (
-    Distinct,
-    Name,
+    Listed,
+    Named,
     NotNegative,
     Part,
     Positive,
     Several,
-    Whole,
-    name_entry,
     say,
 )
 from granular_fronts.scenes.sentences import read_part
 from granular_fronts.scenes.yaml_files import read_yaml
 
-LABEL = "config/referee.yaml: "
-"""How each sentence on the settings begins."""
+FILE = Path(__file__).with_name("problems.yaml")
 
 APART = 5  # contacts on both sides between which a pulse is timed
 SAME = 1.0e-9  # distance of an end from a whole number of intervals that counts as none, over it
-NUMBERS_OF_A_BEAD = 4  # of each state: u and ẋ, of the solution and of its refinement
+
+Kind = Literal["front", "contact_loss", "striker", "collision", "solitary_wave"]
 
 
 class Motion(Part):
     """A chain, when its motion ends, and its dampings."""
 
-    beads: Annotated[Whole, Field(ge=2)] = Field(description="Number of beads.")
+    beads: Annotated[int, Field(ge=2, le=10_000)] = Field(description="Number of beads.")
     end_time: Positive = Field(description="Time at which the motion ends.")
-    dampings: Annotated[Distinct[str], Field(min_length=1)] = Field(
-        description="Names of dampings."
-    )
-
-
-class Motions(Part):
-    """What moves the beads."""
-
-    front: Motion | None = Field(
-        None, description="A front that pressure drives into a chain at rest."
-    )
-    contact_loss: Motion | None = Field(
-        None, description="The same in a short chain, whose last beads are ejected."
-    )
-    striker: Motion | None = Field(None, description="A chain whose first bead strikes the others.")
-    collision: Motion | None = Field(
-        None, description="Two beads, the first of which strikes the other."
-    )
-    solitary_wave: Motion | None = Field(
-        None,
-        description="As striker, where the speed of the pulse is compared with its force.",
-    )
-
-    def by_name(self) -> dict[str, Motion]:
-        """Return the motions that are given."""
-        return {name: motion for name, motion in self if motion}
-
-    def problems(self) -> Iterator[str]:
-        """There is a motion, two beads collide, and a pulse has a way."""
-        if not self.by_name():
-            yield f" is empty: give at least one of {', '.join(type(self).model_fields)}."
-        if self.collision and self.collision.beads != 2:
-            yield f"collision.beads is {self.collision.beads}, but two beads collide: write 2."
-        if self.solitary_wave and self.solitary_wave.beads < (least := 2 * APART + 2):
-            yield (
-                f"solitary_wave.beads is {self.solitary_wave.beads}, too few to time a pulse: "
-                f"write {least} or more."
-            )
+    dampings: Listed[str] = Field(description="Names of dampings.")
 
 
 class Settings(Part):
@@ -89,29 +48,36 @@ class Settings(Part):
         description="Dampings over γ at which the measured number is known, increasing, 1 among "
         "them."
     )
-    laws: Annotated[dict[Name, Annotated[float, Field(ge=1)]], Field(min_length=1)] = Field(
+    laws: Named[Annotated[float, Field(ge=1)]] = Field(
         description="Exponents β of the viscous force, 3/2, 5/4 or 1, by the names of the laws."
     )
-    dampings: Annotated[dict[Name, NotNegative], Field(min_length=1)] = Field(
+    dampings: Named[NotNegative] = Field(
         description="Dampings γ in units of the front (30), by their names; with 0 all laws are "
         "one, called hertz."
     )
-    motions: Motions
+    motions: Annotated[dict[Kind, Motion], Field(min_length=1)] = Field(
+        description="A front that pressure drives into a chain at rest; the same in a short chain, "
+        "whose last beads are ejected; a bead that strikes a chain, or another bead; the same "
+        "chain, where the speed of the pulse is compared with its force."
+    )
+
+    def combinations(self) -> dict[str, tuple[Kind, str, str]]:
+        """Return motion, damping and law of each problem by its name."""
+        return {
+            f"{motion}_{damping}_{law}": (motion, damping, law)
+            for motion, chain in self.motions.items()
+            for damping in chain.dampings
+            for law in (self.laws if self.dampings[damping] else ["hertz"])
+        }
 
     def problems(self) -> Iterator[str]:
         """Dampings are known, a table holds the problem's own, and motions end at a state."""
-        for place, (before, factor) in enumerate(pairwise(self.factors), 1):
-            if factor <= before:
-                yield (
-                    f"{name_entry('factors', place)} is {say(factor)}, not above {say(before)} "
-                    "before it: list them in increasing order."
-                )
-        if 1.0 not in self.factors:
-            yield "factors does not hold 1, the damping of the problem itself: add 1."
-        for name, motion in self.motions.by_name().items():
-            yield from self._motion_problems(f"motions.{name}", motion)
+        if 1.0 not in self.factors or [*self.factors] != sorted({*self.factors}):
+            yield "factors must increase, and hold 1, the damping of the problem itself."
+        for name, motion in self.motions.items():
+            yield from self._motion_problems(f"motions.{name}", name, motion)
 
-    def _motion_problems(self, key: str, motion: Motion) -> Iterator[str]:
+    def _motion_problems(self, key: str, name: Kind, motion: Motion) -> Iterator[str]:
         for damping in motion.dampings:
             if damping not in self.dampings:
                 yield (
@@ -123,17 +89,14 @@ class Settings(Part):
                 f"{key}.end_time is {say(motion.end_time)}, no multiple of interval "
                 f"{say(self.interval)}, so that no state is compared at the end: change one."
             )
-        states = NUMBERS_OF_A_BEAD * motion.beads * motion.end_time / self.interval
-        asked = {f"{key}.{name}": getattr(motion, name) for name in ("beads", "end_time")}
-        yield from memory_problems([Held(asked | {"interval": self.interval}, states)])
+        if name == "collision" and motion.beads != 2:
+            yield f"{key}.beads is {motion.beads}, but two beads collide: write 2."
+        if name == "solitary_wave" and motion.beads < (least := 2 * APART + 2):
+            yield (
+                f"{key}.beads is {motion.beads}, too few to time a pulse: write {least} or more."
+            )
 
 
-class SettingsFile(Part):
-    """Problems with known answers for discrete-element codes."""
-
-    referee: Settings
-
-
-def read_settings(file: Path | str) -> Settings:
-    """Return what a file asks for; an InputError says what is wrong in it."""
-    return read_part(SettingsFile, read_yaml(file), LABEL).referee
+def read_settings() -> Settings:
+    """Return what problems.yaml asks for; an InputError says what is wrong in it."""
+    return read_part(Settings, read_yaml(FILE), f"{FILE.name}: ")

@@ -8,7 +8,6 @@ from pydantic import Field
 
 from granular_fronts.errors import InputError
 from granular_fronts.model.materials import material_of
-from granular_fronts.scenes.half_step_damping import HalfStepDamping
 from granular_fronts.scenes.laws import AnyPotential, law_of_parts
 from granular_fronts.scenes.parts import (
     Interval,
@@ -375,7 +374,6 @@ class Laws(Part):
     materials: Materials
     damping_regimes: DampingRegimes
     numerical_damping: NumericalDamping
-    half_step_damping: HalfStepDamping
     choice_of_variables: ChoiceOfVariables
     limiting_cases: LimitingCases
     jump_conditions: JumpConditions

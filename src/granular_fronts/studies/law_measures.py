@@ -58,17 +58,6 @@ def order_of_two_stages(dataset):
     return recorded(dataset["order_two_stages"].min(keep_attrs=True))
 
 
-def order_of_half_steps(dataset, beta, gamma):
-    """Return the observed order of the half-step scheme towards the accurate chain."""
-    return tabulated(dataset.sel(beta=beta, gamma=gamma), "order")
-
-
-def excess_damping(dataset, observable, beta, gamma, steps_per_collision):
-    """Return the damping that an observable of the half-step scheme looks like, over γ, less 1."""
-    excess = dataset[f"excess_{observable}"].sel(beta=beta, gamma=gamma)
-    return recorded(excess.sel(step=1.0 / steps_per_collision, method="nearest", tolerance=1e-9))
-
-
 def quotient_power(dataset, form, beta):
     """Return the power of h in the difference quotient of the rates where a contact closes."""
     return tabulated(dataset.sel(form=form, beta=beta), "quotient_power")

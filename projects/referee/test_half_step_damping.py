@@ -1,24 +1,26 @@
 """What the half-step scheme does to a front: times, roots, measurements, and their checks."""
 
+import itertools
+import json
 import math
+import re
+from pathlib import Path
 from types import SimpleNamespace
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from granular_fronts.errors import SolveError
+from granular_fronts.errors import InputError, SolveError
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.model.collision import restitution
+from granular_fronts.referee.measurements import excess_by_table
 from granular_fronts.reference_methods.half_step import Chain, integrate
-from granular_fronts.studies.half_step_damping import (
-    collision_loss,
-    excess_by_table,
-    excess_of_tail,
-    measure_half_step_damping,
-    tail_root,
-)
-from granular_fronts.studies.half_step_motions import (
+from granular_fronts.scenes.sentences import read_part
+from granular_fronts.scenes.yaml_files import merge, read_yaml
+from half_step_damping import half_step_damping
+from half_step_motions import (
     Case,
     accurate_chain,
     collision_time,
@@ -27,7 +29,15 @@ from granular_fronts.studies.half_step_motions import (
     passing,
     read_motion,
 )
-from granular_fronts.studies.law_measures import excess_damping
+from half_step_study import (
+    collision_loss,
+    compare_half_steps,
+    excess_damping,
+    excess_of_tail,
+    order_of_half_steps,
+    tail_root,
+)
+from referee_settings import HalfStepDamping
 
 U = "relative_displacement"
 UNIT = collision_time(1.5)
@@ -45,7 +55,7 @@ SCENE = {
 
 @pytest.fixture(scope="module")
 def measured():
-    return measure_half_step_damping(**SCENE)
+    return compare_half_steps(**SCENE)
 
 
 @pytest.mark.parametrize("alpha", [1.0, 1.5, 3.0])
@@ -134,9 +144,12 @@ def test_orders_and_excess_are_of_first_order(measured):
     assert np.all(measured["excess_overshoot"] > 1.2 * measured["excess_tail"])
 
 
-def test_excess_is_measured_at_the_step_that_is_named_and_no_other(measured):
+def test_findings_are_measured_where_they_are_named_and_nowhere_else(measured):
+    one = measured.sel(beta=1.5, gamma=0.13)
     found = excess_damping(measured, "tail", 1.5, 0.13, 160)
-    assert found.value == float(measured["excess_tail"].sel(beta=1.5, gamma=0.13)[1])
+    assert (found.value, found.error) == (float(one["excess_tail"][1]), 1e-12)
+    found = order_of_half_steps(measured, 1.5, 0.13)
+    assert (found.value, found.error) == (float(one["order"]), float(one["order_error"]))
     with pytest.raises(KeyError):
         excess_damping(measured, "tail", 1.5, 0.13, 150)
 
@@ -176,3 +189,41 @@ def test_measurements_of_both_chains_are_of_the_same_thing():
     np.testing.assert_allclose(fine.arrivals, exact.arrivals, rtol=0, atol=1e-4)
     with pytest.raises(SolveError, match="Contact 12 does not pass its peak before"):
         passing(half_step_chain(case._replace(end_time=UNIT), UNIT / 20), 12, "peak")
+
+
+def test_figure_shows_what_was_measured(measured):
+    data = measured.assign_attrs(config=json.dumps(SCENE))
+    figure = half_step_damping(data)
+    plt.close(figure)
+    panels = {axes.get_label(): axes for axes in figure.axes}
+    shown = data.sel(beta=1.5, gamma=0.13)
+    names = ("excess_overshoot", "excess_tail", "restitution_defect", "energy_defect")
+    curves = panels["checks"].get_lines()
+    for line, name in zip(curves, (*names, "speed_defect"), strict=False):
+        assert_curve(line, shown["step"], shown[name])
+    for line, name in zip(panels["motion"].get_lines(), ("accurate", "method"), strict=True):
+        assert_curve(line, data["t"], data[f"{U}_{name}"])
+    for panel, name in (("excess", "excess_overshoot"), ("error", "error")):
+        places = itertools.product(data["gamma"].values, data["beta"].values)
+        for line, (gamma, beta) in zip(panels[panel].get_lines(), places, strict=True):
+            assert_curve(line, data["step"], data[name].sel(beta=beta, gamma=gamma))
+
+
+def assert_curve(line, x, y):
+    np.testing.assert_array_equal(line.get_xdata(), x)
+    np.testing.assert_array_equal(line.get_ydata(), y)
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        ({"alpha": 2}, "alpha is 2, above its limit 1.5"),
+        ({"gammas": [0.05, 0.2]}, "gammas (entry 2) is 0.2, above its limit 0.13"),
+        ({"shown": {"beta": 1.1}}, "shown.beta is 1.1, but betas are 1.5, 1.25, 1"),
+        ({"beads": 10**4, "collision_times": 1000, "steps_per_collision": [10, 99, 10**4]}, "GiB"),
+    ],
+)
+def test_impossible_settings_are_named(change, sentence):
+    own = read_yaml(Path(__file__).with_name("config.yaml"))
+    with pytest.raises(InputError, match=re.escape(sentence)):
+        read_part(HalfStepDamping, merge(own, change))

@@ -1,4 +1,4 @@
-"""The section ``laws.half_step_damping``: the scheme of discrete-element codes."""
+"""What the study of the scheme of discrete-element codes is given."""
 
 from collections.abc import Iterator
 from typing import Annotated

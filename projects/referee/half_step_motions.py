@@ -9,15 +9,16 @@ that two beads without damping, meeting at the velocity 1 of a front, stay toget
 """
 
 import math
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
-from scipy.interpolate import CubicHermiteSpline
 
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import SolveError
-from granular_fronts.reference_methods.half_step import Chain, integrate
+from granular_fronts.referee.measurements import cubic_between
+from granular_fronts.reference_methods.half_step import Chain, Motion, integrate
 from granular_fronts.studies.chain_scenes import pressed_chain
 
 LEVEL = 0.5
@@ -46,21 +47,21 @@ class Measurement(NamedTuple):
     u: np.ndarray
 
 
-def collision_time(alpha):
+def collision_time(alpha: float) -> float:
     """Return the time t_c that two beads without damping are in contact, for δ = c = 1."""
     power = 1.0 / (alpha + 1.0)
     integral = math.sqrt(math.pi) * math.gamma(1.0 + power) / math.gamma(0.5 + power)
     return 2.0 * (0.25 * (alpha + 1.0)) ** power * integral
 
 
-def half_step_chain(case, step):
+def half_step_chain(case: Case, step: float) -> Motion:
     """Return the motion of the chain by the scheme."""
     rest = np.zeros(case.beads)
     chain = Chain(case.alpha, case.beta, case.gamma, left=1.0)
     return integrate(chain, rest, rest, step, round(case.end_time / step))
 
 
-def accurate_chain(case):
+def accurate_chain(case: Case) -> tuple[Measurement, float]:
     """Return the same of the accurate chain, and the largest error estimate of what is read."""
     middle = case.beads // 2
     record = {"snapshots": [case.end_time], "arrival_level": LEVEL, "extremes": True}
@@ -75,14 +76,14 @@ def accurate_chain(case):
     return measurement, max(float(read.attrs["error_estimate"]) for read in (peaks, arrivals, u))
 
 
-def _solve_accurately(case, record):
+def _solve_accurately(case: Case, record: Mapping[str, Any]) -> xr.Dataset:
     """Return the chain by the package's own solver."""
     law = {"alpha": case.alpha, "beta": case.beta, "gamma": case.gamma}
     scene = pressed_chain(law, case.beads, case.end_time, TOLERANCE, record)
     return simulate_chain(scene, f"chain with beta {case.beta:g} and gamma {case.gamma:g}")
 
 
-def read_motion(case, motion):
+def read_motion(case: Case, motion: Motion) -> Measurement:
     """Return what is compared with the accurate chain."""
     middle = case.beads // 2
     arrivals = [passing(motion, contact, "arrival")[0] for contact in (middle // 2, middle)]
@@ -91,7 +92,7 @@ def read_motion(case, motion):
     )
 
 
-def passing(motion, contact, event):
+def passing(motion: Motion, contact: int, event: str) -> tuple[float, float]:
     """Return time and u where u of a contact first passes `LEVEL`, or its first maximum above 1.
 
     Between two steps u is taken from `cubic_between`.
@@ -111,13 +112,7 @@ def passing(motion, contact, event):
     return time, float(curve(time))
 
 
-def cubic_between(t, u, rate, state):
-    """Return the cubic that has u and its rate at a state and at the next."""
-    pair = slice(state, state + 2)
-    return CubicHermiteSpline(t[pair], u[pair], rate[pair])
-
-
-def compare_motion(case, step):
+def compare_motion(case: Case, step: float) -> xr.Dataset:
     """Compare u of the contact in the middle by the scheme and accurately, a step apart."""
     middle = case.beads // 2
     motion = half_step_chain(case, step)

@@ -19,7 +19,7 @@ this does can be read as another γ, by two observables.
 
 The two differ, so that the error is no damping: no other γ makes up for it.  The error changes the
 peak by an amount of order hγ, and the damping by one of order γ.  The first is therefore of the
-size of h/t_c, and near it for β = 3/2 in a long chain (docs/practitioners.md).  The tail says less:
+size of h/t_c, and near it for β = 3/2 in a long chain (README.md).  The tail says less:
 for a wave :math:`e^{i\omega t}` ü is in phase with u, so the error shifts the frequency; decay
 changes only at order hγ².
 
@@ -33,16 +33,19 @@ The checks that discrete-element codes are given are added, as relative errors:
 """
 
 import cmath
+from typing import Any
 
 import numpy as np
 import xarray as xr
-from scipy.interpolate import KroghInterpolator
 from scipy.optimize import brentq
 
+from granular_fronts.accuracy import Estimate, recorded, tabulated
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.model.collision import restitution
-from granular_fronts.reference_methods.half_step import Chain, integrate
-from granular_fronts.studies.half_step_motions import (
+from granular_fronts.referee.measurements import excess_by_table
+from granular_fronts.reference_methods.half_step import Chain, Motion, integrate
+from granular_fronts.studies.orders import ORDER_METHOD, observed_orders
+from half_step_motions import (
     CHAIN_METHOD,
     Case,
     accurate_chain,
@@ -51,7 +54,6 @@ from granular_fronts.studies.half_step_motions import (
     half_step_chain,
     read_motion,
 )
-from granular_fronts.studies.orders import ORDER_METHOD, observed_orders
 
 FACTORS = (0.97, 1.0, 1.07, 1.17, 1.3)
 """Dampings over γ at which the peak of the accurate chain is known; between, a polynomial."""
@@ -79,7 +81,7 @@ ERRORS = {
 """For each variable, the one that holds the error of each chain, and the method."""
 
 
-def measure_half_step_damping(**scene):
+def compare_half_steps(**scene: Any) -> xr.Dataset:
     """Compare the scheme with accurate chains, over law, damping and step.
 
     On (beta, gamma, step), the step over t_c: `error`, `peak`, `excess_overshoot`,
@@ -89,12 +91,12 @@ def measure_half_step_damping(**scene):
     unit, shown = collision_time(scene["alpha"]), scene["shown"]
     steps = unit / np.sort(scene["steps_per_collision"])
 
-    def case(beta, gamma):
+    def case(beta: float, gamma: float) -> Case:
         end_time = scene["collision_times"] * unit
         return Case(scene["alpha"], beta, gamma, scene["beads"], end_time)
 
     rows = [
-        xr.concat([_measure_excess(case(beta, gamma), steps) for gamma in scene["gammas"]], "gamma")
+        xr.concat([measure_excess(case(beta, gamma), steps) for gamma in scene["gammas"]], "gamma")
         for beta in scene["betas"]
     ]
     found = xr.concat(rows, "beta").assign_coords(
@@ -110,7 +112,7 @@ def measure_half_step_damping(**scene):
     return found.merge(_measure_checks(chain, steps)).merge(motion)
 
 
-def _measure_excess(case, steps):
+def measure_excess(case: Case, steps: np.ndarray) -> xr.Dataset:
     """Return the error, peak and excess damping of one chain at three or more falling steps."""
     chains = [accurate_chain(case._replace(gamma=factor * case.gamma)) for factor in FACTORS]
     table = [measurement.peak for measurement, _ in chains]
@@ -137,26 +139,18 @@ def _measure_excess(case, steps):
     )
 
 
-def excess_by_table(peaks, factors, table):
-    """Return γ of the accurate chain with a peak, over γ, less 1; NaN beyond the table."""
-    inside = (peaks <= max(table)) & (peaks >= min(table))
-    # Barycentric weights of SciPy are multiplied in random order, unlike these differences.
-    logarithm = KroghInterpolator(table, np.log(factors))
-    return np.where(inside, np.expm1(logarithm(peaks)), np.nan)
-
-
-def excess_of_tail(case, step):
+def excess_of_tail(case: Case, step: float) -> float:
     """Return γ of the front whose tail decays as in the scheme, over γ, less 1."""
     root = tail_root(case, step)
 
-    def slower(factor):
+    def slower(factor: float) -> float:
         roots = tail_roots(case.alpha, factor * case.gamma, case.beta, count=2)
         return float(roots[0].real - root.real)
 
     return brentq(slower, 0.5, 2.0, xtol=1.0e-13) - 1.0
 
 
-def tail_root(case, step):
+def tail_root(case: Case, step: float) -> complex:
     """Return root of the scheme's dispersion relation that the slowest one for h = 0 becomes."""
     root = complex(tail_roots(case.alpha, case.gamma, case.beta, count=1)[0])
     damping = case.beta * case.gamma
@@ -170,11 +164,13 @@ def tail_root(case, step):
     return root
 
 
-def _measure_checks(case, steps):
+def _measure_checks(case: Case, steps: np.ndarray) -> xr.Dataset:
     """Return the four checks on (step,), each as a relative error under `<name>_defect`."""
     exact, estimate = accurate_chain(case)
     loss = 1.0 - restitution(case.gamma, case.alpha, case.beta)
-    found = {name: [] for name in ("restitution", "momentum", "energy", "speed")}
+    found: dict[str, list[float]] = {
+        name: [] for name in ("restitution", "momentum", "energy", "speed")
+    }
     for step in steps:
         motion = half_step_chain(case, step)
         found["restitution"].append(abs(collision_loss(case, step) / loss - 1.0))
@@ -188,7 +184,7 @@ def _measure_checks(case, steps):
     )
 
 
-def collision_loss(case, step):
+def collision_loss(case: Case, step: float) -> float:
     """Return 1 − e of two beads that meet at the velocity 1 in the scheme; mean over phases."""
     chain = Chain(case.alpha, case.beta, case.gamma)
     steps = round(4.0 * collision_time(case.alpha) / step)
@@ -199,7 +195,7 @@ def collision_loss(case, step):
     return 1.0 - float(np.mean(apart))
 
 
-def energy_defect(case, motion):
+def energy_defect(case: Case, motion: Motion) -> float:
     """Return energy, and what the forces of the scheme dissipate, less the work; over the work."""
     step = motion.t[1]
     u = np.maximum(-np.diff(motion.x, axis=1), 0.0)
@@ -213,3 +209,16 @@ def energy_defect(case, motion):
     energy = 0.5 * (motion.v[-1] ** 2).sum() + elastic
     work = motion.x[-1, 0]
     return abs(energy + dissipated - work) / work
+
+
+def order_of_half_steps(dataset: xr.Dataset, beta: float, gamma: float) -> Estimate:
+    """Return the observed order of the half-step scheme towards the accurate chain."""
+    return tabulated(dataset.sel(beta=beta, gamma=gamma), "order")
+
+
+def excess_damping(
+    dataset: xr.Dataset, observable: str, beta: float, gamma: float, steps_per_collision: float
+) -> Estimate:
+    """Return the damping that an observable of the half-step scheme looks like, over γ, less 1."""
+    excess = dataset[f"excess_{observable}"].sel(beta=beta, gamma=gamma)
+    return recorded(excess.sel(step=1.0 / steps_per_collision, method="nearest", tolerance=1e-9))
