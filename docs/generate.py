@@ -77,11 +77,21 @@ class Group(NamedTuple):
 
 GROUPS = (
     Group("chains", "Chains", "Integrate the motion of a chain or of a ring of beads.", "1"),
-    Group("fronts", "Fronts", "Solve a front of the lattice, its tail and its stability.", "9"),
+    Group(
+        "fronts",
+        "Fronts",
+        "Solve a front of the lattice, its tail and its stability.",
+        "exact_fronts",
+    ),
     Group("equations", "Amplitude equations", "Solve the long-wave equations of the chain.", "8"),
-    Group("laws", "Laws and scaling", "Choose a contact law, and convert real beads.", "17"),
-    Group("proofs", "Proofs", "Prove that a front exists, and check a proof.", "24"),
-    Group("plots", "Plots", "Draw a dataset in one line.", "13"),
+    Group(
+        "laws",
+        "Laws and scaling",
+        "Choose a contact law, and convert real beads.",
+        "jump_conditions",
+    ),
+    Group("proofs", "Proofs", "Prove that a front exists, and check a proof.", "critical_damping"),
+    Group("plots", "Plots", "Draw a dataset in one line.", "multipliers"),
 )
 
 NAMES = {
