@@ -1,13 +1,15 @@
-"""Figure 20: errors of the amplitude equations on rings of beads as α → 1, in two limits."""
+"""Errors of the amplitude equations on rings of beads as α → 1, in two limits."""
 
 from typing import Any
 
 import xarray as xr
+from limit_measures import selected
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from granular_fronts.campaign.measures import selected
+from drawing import write_figure
 from granular_fronts.output.style import MODEL_LOOKS, new_figure
+from job import job
 
 SUP = "displacement_sup"
 MARKERS = ("o", "s", "^")
@@ -23,9 +25,10 @@ def ring_limit(damping: xr.Dataset, mu: xr.Dataset) -> Figure:
         Campaigns of rings at fixed γc and μ, from the slow manifold.
     """
     figure, panels = new_figure(3.4, [["damping", "mu"]])
-    middle, least = middle_damping(damping), smallest_mu(mu)
-    draw_limit(panels["damping"], damping, damping=middle)
-    draw_limit(panels["mu"], mu, mu=least)
+    middle = damping["damping"].values[damping.sizes["damping"] // 2]
+    least = mu["mu"].values.min()  # where dispersion matters most
+    _draw_limit(panels["damping"], damping, damping=middle)
+    _draw_limit(panels["mu"], mu, mu=least)
     panels["damping"].set_title(rf"damping fixed, $\gamma c = {middle:g}$")
     panels["mu"].set_title(rf"$\mu = {least:g}$ fixed: $\gamma c$ falls with $\varepsilon$")
     panels["damping"].set_ylabel(ERROR_LABEL)
@@ -38,20 +41,22 @@ def ring_limit(damping: xr.Dataset, mu: xr.Dataset) -> Figure:
     return figure
 
 
-def middle_damping(campaign: xr.Dataset) -> float:
-    """The middle one of the values of γc."""
-    return campaign["damping"].values[campaign.sizes["damping"] // 2]
-
-
-def smallest_mu(campaign: xr.Dataset) -> float:
-    """The smallest μ, at which dispersion matters most."""
-    return campaign["mu"].values.min()
-
-
-def draw_limit(axes: Axes, campaign: xr.Dataset, **place: float) -> None:
-    """Largest error of u against ε at a place of further axes, a marker for each equation."""
+def _draw_limit(axes: Axes, campaign: xr.Dataset, **place: float) -> None:
+    """Draw largest errors of u against ε at a place of further axes."""
     for (model, look), marker in zip(MODEL_LOOKS.items(), MARKERS, strict=True):
         epsilon, error, _ = selected(campaign, f"{SUP}_{model}", **place)
         marks: dict[str, Any] = {"marker": marker, "markersize": 4, "fillstyle": "none"}
         axes.plot(epsilon, error, **marks, **look._asdict())
     axes.set(xscale="log", yscale="log", xlabel=r"$\varepsilon = (1 - 1/\alpha)/\gamma c$")
+
+
+if __name__ == "__main__":
+    with job(snakemake):
+        write_figure(
+            ring_limit,
+            snakemake.input.texts,
+            snakemake.output,
+            snakemake.params.shown,
+            damping=snakemake.input.damping,
+            mu=snakemake.input.mu,
+        )

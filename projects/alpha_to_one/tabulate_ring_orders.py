@@ -2,17 +2,16 @@
 
 import math
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import pandas as pd
 import xarray as xr
+from limit_measures import fitted_order
 
 from granular_fronts.accuracy import Estimate
-from granular_fronts.campaign.measures import fitted_order
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.tables import write_table
-from step import run_step
+from job import job
 
 EQUATIONS = {
     "logarithmic": "logarithmic Burgers",
@@ -23,18 +22,18 @@ SYMBOLS = {"damping": "γc", "gamma": "γ", "mu": "μ"}
 FORMULAS = {"leading": "(51)", "printed": "(43) as printed", "first_order": "whole first order"}
 
 
-def tabulate_ring_orders(datasets: list[Path], csv: Path, markdown: Path) -> None:
+def tabulate_ring_orders(damping: str, gamma: str, mu: str, csv: str, markdown: str) -> None:
     """Write a row for each line.
 
     Parameters
     ----------
-    datasets : list of Path
-        Campaigns of rings at fixed γc, γ and μ, in this order.
-    csv, markdown : Path
+    damping, gamma, mu : str
+        Campaigns of rings at fixed γc, γ and μ.
+    csv, markdown : str
         Tables to write: all digits, and the digits that the errors leave for reading.
     """
-    rings = [read_dataset(path, path.stem) for path in datasets]
-    lines = [line for fixed, one in zip(SYMBOLS, rings, strict=True) for line in _lines(one, fixed)]
+    campaigns = {"damping": damping, "gamma": gamma, "mu": mu}
+    lines = [line for fixed in campaigns for line in _lines(read_dataset(campaigns[fixed]), fixed)]
     full = pd.DataFrame(
         line | {"order": order.value, "error": order.error} for line, order in lines
     )
@@ -67,4 +66,11 @@ def with_error(order: Estimate) -> str:
 
 
 if __name__ == "__main__":
-    run_step(tabulate_ring_orders, globals()["snakemake"])
+    with job(snakemake):
+        tabulate_ring_orders(
+            snakemake.input.damping,
+            snakemake.input.gamma,
+            snakemake.input.mu,
+            snakemake.output.csv,
+            snakemake.output.markdown,
+        )

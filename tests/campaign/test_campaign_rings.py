@@ -1,13 +1,11 @@
-"""Campaigns of rings: their points, their orders, and the paper's two runs."""
+"""Campaigns of rings: their points, and the paper's two runs."""
 
 import numpy as np
 import pytest
-import xarray as xr
 from campaigns import PULSE, RINGS, campaign, merged, solved_points
 from configurations import assert_refused
 from rings import scene_with
 
-from granular_fronts.campaign import measures
 from granular_fronts.campaign.ring_points import make_ring
 from granular_fronts.errors import InputError
 from granular_fronts.studies.ring_against_equations import compare_with_chain
@@ -154,21 +152,3 @@ def test_given_profile_may_be_any():
     )
     for name, value in named.values.items():
         np.testing.assert_array_equal(listed.values[name], value)
-
-
-def test_orders_and_largest_errors_of_rings():
-    """An order is known to two standard errors of its slope; μ is computed, and 2 is 2."""
-    epsilon, error = np.array([0.01, 0.1, 1.0]), np.array([1e-3, 2e-2, 0.1])
-    alpha, ratio = np.array([1.01, 1.05, 1.1]), np.full(3, 12.0 / (2.0 - 1e-13) ** 2)
-    columns = {"epsilon_of_ring": epsilon, "ratio_of_ring": ratio, "e": error}
-    rings = xr.Dataset(
-        {name: (("alpha", "slow_time"), column[:, None]) for name, column in columns.items()},
-        {"alpha": alpha, "slow_time": [1.0]},
-    )
-    rings["e"].attrs["error_estimate"] = 1e-6
-    line, covariance = np.polyfit(np.log(epsilon), np.log(error), 1, cov=True)
-    found = measures.fitted_order(rings, "e")
-    assert found == pytest.approx((line[0], 2.0 * covariance[0, 0] ** 0.5))
-    largest = measures.largest_over_exponent(rings, "e", least_mu=2.0)
-    assert largest.value == pytest.approx((error / (1.0 - 1.0 / alpha)).max())
-    assert np.isnan(measures.largest_over_exponent(rings, "e", most_mu=2.0).value)

@@ -9,7 +9,6 @@ from by_hand import ANY, assert_measures, dataset, estimates
 from tabulate_statements import find_measure
 
 from granular_fronts.accuracy import tabulated
-from granular_fronts.campaign import measures as rings
 from granular_fronts.chain import measures as chain
 from granular_fronts.continuum import measures as continuum
 from granular_fronts.fronts import measures as fronts
@@ -234,53 +233,6 @@ SMALLER, TALLER = (
     SHOCKS.assign_attrs(config=json.dumps(RING | {"displacement": d})) for d in (1, 8)
 )
 
-# Rings of μ = 1, 2 and 4 at two slow times, their error ε² for μ = 1; α = 3/2 lies out of the way.
-RINGS_AT = {"slow_time": [1.0, 16.0], "mu": [1.0, 2.0, 4.0], "alpha": [1.01, 1.1, 1.5]}
-ALPHA, SIZE = np.array([0.01, 0.1, 0.5]), np.array([[[1.0], [2.0], [4.0]], [[3.0], [8.0], [6.0]]])
-RINGS = dataset(
-    error=1e-6,
-    wrong=(RINGS_AT, -SIZE * np.array([1e-4, 1e-2, 9.0])),
-    right=(RINGS_AT, np.ones((2, 3, 1)) * np.array([1e-5, 5e-3, 1e-9])),
-    epsilon_of_ring=(RINGS_AT, np.ones((2, 3, 1)) * ALPHA),
-    ratio_of_ring=(
-        RINGS_AT,
-        (12.0 / np.array([1.0, 2.0, 4.0]) ** 2)[None, :, None] * np.ones((2, 1, 3)),
-    ),
-)
-LEADING = RINGS.assign(wrong=5.0 * RINGS["wrong"]).assign_attrs(RINGS.attrs)
-LEADING["wrong"].attrs = RINGS["wrong"].attrs
-
-# Errors of three equations are powers of ε, but for α = 3/2.
-EQUATIONS = {"logarithmic": 1.0, "unlimited": 0.9, "dispersive": 1.1}
-NEAR, OVER = np.array([1.01, 1.05, 1.1, 1.5]), np.array([0.01, 0.05, 0.1, 0.5])
-
-
-def orders(axis, values, more):
-    """Rings of a campaign whose orders are larger by `more`."""
-    places = {"slow_time": [1.0], axis: values, "alpha": NEAR}
-    rows = np.ones((1, len(values), 1))
-    errors = {
-        f"displacement_sup_{name}": (places, rows * (OVER ** (order + more) + (OVER > 0.4)))
-        for name, order in EQUATIONS.items()
-    }
-    return dataset(epsilon_of_ring=(places, rows * OVER), **errors)
-
-
-ORDERS = orders("damping", [0.3, 3.0], 0.0), orders("case", [0], 0.05).isel(case=0)
-# (55) is best up to γ = 0.2; (40) is best at 0.3, but all along from 0.8 on, where one ring is not
-# solved.
-GAMMA = np.array([0.1, 0.2, 0.3, 0.4, 0.8, 1.6])
-LOGARITHMIC, UNLIMITED = np.where(GAMMA == 0.4, 0.1, 0.9), np.where(GAMMA == 0.3, 0.1, 0.5 / GAMMA)
-MAP = np.stack([LOGARITHMIC, UNLIMITED, GAMMA])[..., None] * np.ones(4)
-MAP[1, -1, 0], MAP[2, :, 3] = np.nan, -9.0
-BEST = dataset(
-    **{
-        f"displacement_sup_{name}": ({"slow_time": [1.0], "gamma": GAMMA, "alpha": NEAR}, [errors])
-        for name, errors in zip(EQUATIONS, MAP, strict=True)
-    }
-)
-ONE_RING = {"error": "wrong", "mu": 2, "alpha": 1.1}
-
 # 1/(2 (5/8)^(3/5) B(8/5, 1/2)).
 WEAK = math.gamma(2.1) / (2.0 * 0.625**0.6 * math.gamma(1.6) * math.gamma(0.5))
 ONE_NUMBER = estimates(height=({"order": [1, 2]}, [1.0, 4.0]))
@@ -405,33 +357,6 @@ BY_HAND = [
     (ring.smallest_velocity_of_equation, SHOCKS, {}, -0.01, 1e-3 / 32),
     (ring.plateau_ratio, (SHOCKS, SMALLER), {}, 0.5, 2**-53),
     (ring.peak_ratio, (SHOCKS, TALLER), {}, 2.0, 1e-3 / 8 + 2 * 1e-3 / 16),
-    (rings.error_of_ring, RINGS, ONE_RING, 0.02, 1e-6),
-    (rings.fitted_order, RINGS, {"error": "wrong", "mu": 4}, 2.0, ANY),
-    (rings.error_ratio, RINGS, ONE_RING | {"other": "right"}, 4.0, 1e-6 / 5e-3 * 5),
-    (
-        rings.smallest_ratio,
-        RINGS,
-        {"error": "wrong", "other": "right", "mu": 2},
-        4.0,
-        1e-6 / 1e-5 * 5,
-    ),
-    (rings.start_over_model, (RINGS, LEADING), ONE_RING, 5.0, 1e-6 / 0.02 * 6),
-    (rings.growth, RINGS, ONE_RING | {"first": 1, "last": 16}, 4.0, 1e-6 / 0.02 * 5),
-    (rings.error_over_ratio, RINGS, ONE_RING, 0.02 / 3, 1e-6 / 3 * (1 + 0.02 / 3)),
-    # Over 1 − 1/1.1; the error over the smallest 1 − 1/α.
-    (rings.largest_over_exponent, RINGS, {"error": "wrong"}, 0.44, 1.01e-4),
-    (rings.largest_over_exponent, RINGS, {"error": "wrong", "most_mu": 2}, 0.11, 1.01e-4),
-    (
-        rings.largest_over_exponent,
-        RINGS,
-        {"error": "wrong", "least_mu": 2, "most_mu": 4},
-        0.22,
-        1.01e-4,
-    ),
-    (rings.smallest_order, ORDERS, {}, 0.9, ANY),
-    (rings.largest_order, ORDERS, {}, 1.15, ANY),
-    (rings.best_up_to, BEST, {"error": "displacement_sup_dispersive"}, 0.2, 1e-12),
-    (rings.best_from, BEST, {"error": "displacement_sup_unlimited"}, 0.8, 1e-12),
     (tabulated, ONE_NUMBER, {"name": "height", "order": 2}, 4.0, 1e-3),
 ]
 

@@ -10,8 +10,6 @@ from campaigns import solved_points
 from pages import load_script
 
 from granular_fronts.campaign.definition import check_campaign
-from granular_fronts.campaign.measures import EQUATION_ERRORS, LARGEST_EXPONENT
-from granular_fronts.studies.ring_limit import resolutions
 from projects import ROOT
 
 MEASURED = load_script("measured")
@@ -40,7 +38,7 @@ def statements(name):
     return yaml.safe_load((ROOT / "config" / f"{name}.yaml").read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize("name", ["paper_numbers", "findings", "ring_limit"])
+@pytest.mark.parametrize("name", ["paper_numbers", "findings"])
 def test_rows_are_those_of_the_statements(name):
     """Also those of tables that were not made."""
     quantities = [statement["quantity"] for statement in statements(name)]
@@ -83,29 +81,6 @@ def test_findings_type_no_result():
 
 def words_of(page):
     return " ".join(TEXTS[ROOT / "docs" / f"{page}.md"].split())
-
-
-def test_page_on_the_limit_has_the_sizes_and_slopes_of_figure_20():
-    campaign = statements("campaigns/rings_damping")
-    half_length, dampings = campaign["fixed"]["half_length"], campaign["axes"]["damping"]
-    usual, _ = resolutions(campaign["tolerance"])
-    points = usual.points(half_length)
-    # ℓ = (p − 1/2) ε and N = 2p − 1.
-    beads = 2.0 * half_length * max(dampings) / (1.0 - 1.0 / min(campaign["axes"]["alpha"]))
-    sizes = r"(\d+) values stand for up to ([\d ]+) beads .* compared at (\d+) places"
-    found = [int(size.replace(" ", "")) for size in re.search(sizes, words_of("limit")).groups()]
-    assert found == [points, round(beads, -3), points * usual.places]
-    fitted = r"over the seven rings with α from ([\d.]+) to ([\d.]+)\."
-    named = re.search(fitted, words_of("limit")).groups()
-    for name in ("rings_damping", "rings_gamma"):
-        alphas = statements(f"campaigns/{name}")["axes"]["alpha"]
-        alphas = [alpha for alpha in alphas if alpha <= LARGEST_EXPONENT]
-        assert len(alphas) == 7
-        assert (min(alphas), max(alphas)) == tuple(map(float, named))
-    assert len(EQUATION_ERRORS) * (len(dampings) + 1) == 12
-    assert "Of these twelve slopes" in words_of("limit")
-    assert "at γc = 0.3, 1 and 3," in words_of("limit")
-    assert dampings == [0.3, 1, 3]
 
 
 RATES = re.compile(

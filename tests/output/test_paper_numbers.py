@@ -37,10 +37,7 @@ from granular_fronts.output.statements import (
 from granular_fronts.scenes.yaml_files import load_configuration, read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config"
-LISTS = {
-    name: read_yaml(CONFIG / f"{name}.yaml") for name in ("paper_numbers", "findings", "ring_limit")
-}
-CAMPAIGNS = {path.stem for path in (CONFIG / "campaigns").glob("*.yaml")}
+LISTS = {name: read_yaml(CONFIG / f"{name}.yaml") for name in ("paper_numbers", "findings")}
 STATEMENTS = list(chain(*LISTS.values()))
 DEFAULTS = read_yaml(CONFIG / "default.yaml")
 
@@ -222,7 +219,7 @@ def test_several_scenes_are_measured_together():
 def test_every_statement_can_be_measured_and_judged():
     for statement in STATEMENTS:
         assert callable(find_measure(statement["measure"]))
-        assert set(scenes_of(statement)) <= set(by_scene(DEFAULTS)) | CAMPAIGNS
+        assert set(scenes_of(statement)) <= set(by_scene(DEFAULTS))
         assert statement["paper_place"]
         assert "|" not in "".join(map(str, statement.values()))
         if statement["expected"] == NOT_JUDGED:
@@ -238,9 +235,8 @@ def test_every_statement_can_be_measured_and_judged():
 
 def test_findings_print_nothing_the_paper_finds_nothing_and_all_stand_once():
     """What the paper does not print must not stand beside it, and the other way round."""
-    for name in ("findings", "ring_limit"):
-        assert all("printed" not in entry for entry in LISTS[name])
-        assert {entry["kind"] for entry in LISTS[name]} == {"finding"}
+    assert all("printed" not in entry for entry in LISTS["findings"])
+    assert {entry["kind"] for entry in LISTS["findings"]} == {"finding"}
     assert all(entry["printed"] for entry in LISTS["paper_numbers"])
     assert {entry["kind"] for entry in LISTS["paper_numbers"]} == {"number", "inequality", "words"}
     stated = [(entry["quantity"], entry.get("printed")) for entry in STATEMENTS]
