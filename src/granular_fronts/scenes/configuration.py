@@ -13,7 +13,6 @@ from granular_fronts.errors import InputError, raise_if_any
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.front import Front
 from granular_fronts.scenes.hard_cases import HardCases
-from granular_fronts.scenes.honesty import Honesty
 from granular_fronts.scenes.orbit import Orbits
 from granular_fronts.scenes.parts import Listed, Named, Part, Positive
 from granular_fronts.scenes.precision import Precision
@@ -72,7 +71,6 @@ class Configuration(Part):
     exact_fronts: ExactFronts
     laws: Laws
     precision: Precision
-    honesty: Honesty
     hard_cases: HardCases = Field(description="Problems at the edge of what the solvers can do.")
     projects: dict[str, dict[str, Any]] = Field(
         {}, description="Settings of projects by their names, laid over the config.yaml of each."

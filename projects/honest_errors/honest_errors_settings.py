@@ -1,4 +1,4 @@
-"""The section ``honesty``: random problems whose stated errors are compared with true ones."""
+"""Random problems whose stated errors are compared with true ones."""
 
 from typing import Annotated
 
@@ -14,8 +14,8 @@ class RandomProblems(Part):
     count: Annotated[int, Field(ge=1, le=100_000)] = Field(description="How many problems.")
 
 
-class Honesty(Part):
-    """Random problems whose stated errors are compared with true ones, by the target honesty."""
+class HonestErrors(Part):
+    """Random problems of each kind."""
 
     chains: RandomProblems = Field(description="Chains of every law, boundary and start.")
     fronts: RandomProblems = Field(description="Exact fronts of every law.")
