@@ -16,6 +16,7 @@ from pages import (
     load_script,
     run,
 )
+from PIL import Image
 
 from granular_fronts.output.datasets import configuration_of, read_dataset
 from granular_fronts.scenes.yaml_files import load_configuration
@@ -167,11 +168,29 @@ def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     assert names["record"]["numbers"]["overshoot"] > 1.0136
 
 
+FIGURES = {
+    file.stem
+    for file in (ROOT / "workflow" / "captions").glob("*.rst")
+    if not file.stem.startswith("table_")
+}
+
+
 def test_gallery_shows_every_figure_of_a_plain_call():
     page = (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")
-    captions = (ROOT / "workflow" / "captions").glob("*.rst")
-    figures = {file.stem for file in captions if not file.stem.startswith("table_")}
-    assert set(re.findall(r"figure} \.\./results/figures/(\w+)\.png", page)) == figures
+    assert set(re.findall(r"figures/(\w+)\.png", page)) == FIGURES
+
+
+def test_small_pictures_show_the_default_configuration(default):
+    digest = load_script("pictures").digest
+    parts = [*default["scenes"].values(), default["exact_fronts"], default["laws"]]
+    parts.append({"log_burgers_fronts": {"exponents": default["front_exponents"]}})
+    known = {f"{name}:{digest(one)}" for part in parts for name, one in part.items()}
+    pictures = sorted((ROOT / "docs" / "figures").glob("*.png"))
+    assert {file.stem for file in pictures} == FIGURES
+    for file in pictures:
+        assert file.stat().st_size < 60_000
+        with Image.open(file) as picture:
+            assert set(picture.text["Keywords"].split()) <= known, f"run docs/pictures.py ({file})"
 
 
 def test_shown_campaign_is_possible():
