@@ -78,6 +78,8 @@ def test_no_other_solution_is_as_near_as_stated(name):
         assert near.bound(arb(W)) < 1
         assert not near.bound(arb(W * 2 ** (1 / FINENESS))) < 1
         assert not near.bound(arb(1)) < 1  # u = 0 and u = 1 are solutions, too.
+        near.H = near.shift(arb(W)).lower()  # Shifts are bounded by it.
+        assert not near.bound(arb(W)) < 1
     assert f"{0.999 * W:.3e}" in statement
     best = distance_without_another(front, 1.5, name)
     assert W < best < 1.001 * W * 2 ** (1 / FINENESS)

@@ -17,7 +17,7 @@ from granular_fronts.referee.answers import solve, states
 from granular_fronts.referee.assessment import Finding, find, observed_order, report
 from granular_fronts.referee.drawing import draw
 from granular_fronts.referee.files import write_problems
-from granular_fronts.referee.lammps_deck import _farthest, damping_model, write_deck
+from granular_fronts.referee.lammps_deck import damping_model, write_deck
 from granular_fronts.referee.measurements import excess_damping, first_peak, read_motion
 from granular_fronts.referee.problems import in_words, load_problems
 from granular_fronts.referee.results_files import Result, read_result
@@ -64,7 +64,14 @@ def test_dampings_are_those_of_a_front():
 FORCE = r"u\^\((.*)/(.*)\) \+ (\S+) \* (\S+) \* u\^\((\S+)\) \* du/dt"
 
 
-@pytest.mark.parametrize("name", PROBLEMS)
+# Each motion, law and damping at least once.
+DECKS = [
+    *(FRONT, "front_overdamped_dashpot", "contact_loss_steel_restitution"),
+    *("front_cork_viscoelastic", "striker_glass_restitution", COLLISION, WAVE),
+]
+
+
+@pytest.mark.parametrize("name", DECKS)
 def test_deck_and_words_are_those_of_the_scene(name):
     """The deck's by the manual of pair_style granular: spheres of radius 1/2 and mass 1."""
     problem, compressions = PROBLEMS[name], np.array([1e-3, 0.1, 2.0])
@@ -98,7 +105,7 @@ def test_deck_and_words_are_those_of_the_scene(name):
     assert high + low - scene.beads.count > 0.1**1.25 * scene.end_time
 
 
-@pytest.mark.parametrize("gamma", [0.01, 0.3, 1.2])
+@pytest.mark.parametrize("gamma", [0.01, 1.2])
 def test_restitution_of_the_deck_is_that_of_the_collision(gamma):
     """For β = (α + 1)/2 the coefficient of restitution belongs to the law."""
     model, coefficient = damping_model(make_law(alpha=1.5, beta=1.25, gamma=gamma))
@@ -234,11 +241,6 @@ def test_measurements_are_what_they_are_called(folder, motion):
         u = answer["relative_displacement"].sel(contact=answer.sizes["bead"] // 2).values / 0.1
         peak = u[np.argmax((u[1:-1] > u[:-2]) & (u[1:-1] > u[2:]) & (u[1:-1] > 0.5)) + 1]
         assert peak <= measurement < 1.01 * peak
-
-
-def test_beads_stay_in_the_box_of_a_deck(problem):
-    x = half_steps(problem, 0.25).x
-    assert abs(x - x[0]).max() < _farthest(problem.scene)
 
 
 def test_overdamped_front_has_no_measurement():
