@@ -55,6 +55,7 @@ for name in sorted(set(config.get("projects", {})) - set(PROJECTS)):
     sys.exit(f"projects.{name} names no project: choose one of {', '.join(PROJECTS)}.")
 
 for name in PROJECTS:
+    sys.path.append(f"projects/{name}")
 
     include: PROJECTS[name]
 

@@ -3,13 +3,13 @@
 from typing import Any
 
 import xarray as xr
-from limit_measures import selected
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from drawing import write_figure
 from granular_fronts.output.style import MODEL_LOOKS, new_figure
 from job import job
+from limit_measures import selected
 
 SUP = "displacement_sup"
 MARKERS = ("o", "s", "^")

@@ -6,12 +6,12 @@ from typing import Any
 
 import pandas as pd
 import xarray as xr
-from limit_measures import fitted_order
 
 from granular_fronts.accuracy import Estimate
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.tables import write_table
 from job import job
+from limit_measures import fitted_order
 
 EQUATIONS = {
     "logarithmic": "logarithmic Burgers",

@@ -1,15 +1,15 @@
 """Measures on rings whose answers are known, and how the table of orders writes them."""
 
-import limit_measures as measures
 import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from ring_limit import ring_limit
-from tabulate_ring_orders import tabulate_ring_orders, with_error
 
+import limit_measures as measures
 from granular_fronts.accuracy import Estimate
 from granular_fronts.output.datasets import write_dataset
+from ring_limit import ring_limit
+from tabulate_ring_orders import tabulate_ring_orders, with_error
 
 AXES = {"slow_time": [1.0, 16.0], "mu": [1.0, 2.0, 4.0], "alpha": [1.01, 1.1, 1.5]}
 SIZE = np.array([[[1.0], [2.0], [4.0]], [[3.0], [8.0], [6.0]]])

@@ -1,6 +1,5 @@
 """Pulses in tapered chains: a sentence of Harbola et al. (2009), and what is added."""
 
-sys.path.append("projects/harbola_2009")
 from harbola_2009_settings import TaperedChains
 
 HARBOLA, HARBOLA_OWN = project_settings("harbola_2009", TaperedChains)

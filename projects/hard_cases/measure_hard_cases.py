@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import xarray as xr
+from step import run_step
 
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.studies.hard_cases.event_orders import fitted_order, measure_orders
 from granular_fronts.studies.hard_cases.registry import run_case
-from step import run_step
 
 REFUSED = dict.fromkeys(("problem", "expected", "criterion", "quantity"), "") | dict.fromkeys(
     ("measured", "error", "limit"), np.nan

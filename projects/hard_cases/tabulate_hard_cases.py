@@ -2,9 +2,10 @@
 
 from pathlib import Path
 
+from step import run_step
+
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.tables import round_floats, write_table
-from step import run_step
 
 COLUMNS = ["name", "problem", "expected", "criterion", "quantity", "measured", "error", "limit"]
 COLUMNS += ["outcome", "seconds", "remark"]

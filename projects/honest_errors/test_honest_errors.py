@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
+
+import granular_fronts as gf
 import true_chains
 import true_fronts
 import true_rings
-from measure_honest_errors import ratio
-
-import granular_fronts as gf
 from granular_fronts.chain.simulate import simulate_chain
+from measure_honest_errors import ratio
 
 TODA = {"elastic": {"kind": "toda", "rate": 2.6}, "viscous": {"kind": "linear", "gamma": 6.53}}
 # A long front, a weakly nonlinear and a sharp one, and one of another law.

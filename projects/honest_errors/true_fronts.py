@@ -16,13 +16,13 @@ import numpy as np
 import xarray as xr
 from scipy import sparse
 from scipy.sparse.linalg import splu
-from true_chains import Number
 
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.model.laws import make_law
 from granular_fronts.numerics.quadrature import kernel_weights
 from granular_fronts.reference_methods.extended import PI, REAL, forces
+from true_chains import Number
 
 LONGER = 1.25
 LARGEST_MATRIX = 12_000_000

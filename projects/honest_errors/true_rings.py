@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 
 import numpy as np
-from true_chains import Number
 
 from granular_fronts.campaign.ring_points import make_ring
 from granular_fronts.errors import InputError
 from granular_fronts.studies.ring_limit import Resolution, Ring, compare, resolutions
+from true_chains import Number
 
 
 class _Finest(Resolution):

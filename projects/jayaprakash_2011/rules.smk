@@ -1,6 +1,5 @@
 """Mass ratios of dimers: sentences of two papers, and the ratios with their errors."""
 
-sys.path.append("projects/jayaprakash_2011")
 from jayaprakash_2011_settings import Dimers
 
 DIMERS, DIMERS_OWN = project_settings("jayaprakash_2011", Dimers)

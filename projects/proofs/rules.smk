@@ -4,8 +4,6 @@ Certificates lie under <results>/proofs and are no outputs. A job that was stopp
 those files again, and goes on from the last one.
 """
 
-sys.path.append("projects/proofs")
-
 from proof_chunks import chunk_name, proof_chunks
 from proofs_settings import Proofs
 

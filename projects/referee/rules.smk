@@ -1,7 +1,5 @@
 """Problems with accurate answers for discrete-element codes, and what the step of such codes does."""
 
-sys.path.append("projects/referee")
-
 from granular_fronts.referee.settings import read_settings
 from referee_settings import HalfStepDamping
 

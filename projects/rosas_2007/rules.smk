@@ -1,6 +1,5 @@
 """Two pulses behind an impact: sentences of Rosas et al. (2007, 2008), and what is added."""
 
-sys.path.append("projects/rosas_2007")
 from rosas_2007_settings import Impacts
 
 ROSAS, ROSAS_OWN = project_settings("rosas_2007", Impacts)

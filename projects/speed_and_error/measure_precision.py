@@ -23,11 +23,11 @@ from peers import one_thread  # noqa: F401
 import numpy as np
 import pandas as pd
 import xarray as xr
+from step import run_step
 
 from granular_fronts.output.datasets import write_dataset
 from peers.runs import Run
 from problems.problem import Problem, errors_of
-from step import run_step
 
 # A longer run is timed once: what disturbs it for a moment is a small part of it.
 SECONDS_WORTH_REPEATING = 3.0

@@ -4,9 +4,9 @@ import json
 from pathlib import Path
 
 import xarray as xr
+from step import run_step
 
 from granular_fronts.output.datasets import configuration_of, read_dataset, write_dataset
-from step import run_step
 
 
 def merge_precision(datasets: list[Path], dataset: Path) -> None:

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import xarray as xr
+from step import run_step
 
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.tables import round_floats, write_table
-from step import run_step
 
 LEVELS = (1e-4, 1e-6, 1e-7, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14)
 JUDGED_LEVELS = (1e-4, 1e-5, 1e-6, 1e-9, 1e-12)

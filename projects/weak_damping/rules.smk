@@ -1,6 +1,5 @@
 """How a dispersive shock becomes a front as damping sets in."""
 
-sys.path.append("projects/weak_damping")
 from weak_damping_settings import WeakDamping
 
 WEAK, WEAK_OWN = project_settings("weak_damping", WeakDamping)

@@ -4,6 +4,8 @@ import json
 
 import numpy as np
 import pytest
+from configurations import assert_refused
+
 from campaigns import (
     CHAINS,
     CHAINS_OF_A_LAW,
@@ -18,8 +20,6 @@ from campaigns import (
     pretend_solved,
     solve,
 )
-from configurations import assert_refused
-
 from granular_fronts.campaign import chunks, definition
 from granular_fronts.campaign.file import Spacing
 from granular_fronts.errors import InputError

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 import xarray as xr
+from chains import driven_scene
+
 from campaigns import (
     CHAINS,
     CHAINS_OF_A_LAW,
@@ -15,8 +17,6 @@ from campaigns import (
     solve,
     solved_points,
 )
-from chains import driven_scene
-
 from granular_fronts.campaign import merging, points
 from granular_fronts.chain.measures import front_speed
 from granular_fronts.chain.simulate import simulate_chain

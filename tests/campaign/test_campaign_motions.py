@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 import xarray as xr
-from campaigns import RATIOS, SCENE, campaign, merged, solved_points
 from chains import given
 from scipy.special import stdtrit
 
 import granular_fronts as gf
+from campaigns import RATIOS, SCENE, campaign, merged, solved_points
 from granular_fronts.campaign.averages import mean_over
 from granular_fronts.campaign.numbers import with_numbers
 

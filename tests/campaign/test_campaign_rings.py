@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from campaigns import PULSE, RINGS, campaign, merged, solved_points
 from configurations import assert_refused
 from rings import scene_with
 
+from campaigns import PULSE, RINGS, campaign, merged, solved_points
 from granular_fronts.campaign.ring_points import make_ring
 from granular_fronts.errors import InputError
 from granular_fronts.studies.ring_against_equations import compare_with_chain

@@ -166,6 +166,8 @@ def test_figures_equations_lemmas_and_papers_are_links():
 def test_every_paper_is_cited_and_none_outside_the_bibliography():
     pages = {page: text for page, text in TEXTS.items() if page.stem != "bibliography"}
     cited = " ".join(pages.values())
+    for path in ROOT.glob("projects/*/README.md"):
+        cited += path.read_text(encoding="utf-8")
     for path in (ROOT / "src").rglob("*.py"):
         cited += path.read_text(encoding="utf-8")
     cited = " ".join(cited.split())

@@ -6,9 +6,9 @@ import time
 import pandas as pd
 import pytest
 import yaml
-from campaigns import solved_points
 from pages import load_script
 
+from campaigns import solved_points
 from granular_fronts.campaign.definition import check_campaign
 from projects import ROOT
 

@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 import pytest
-from measure_hard_cases import measure_case
 
 from granular_fronts.reference_methods.extended import reference_state
 from granular_fronts.scenes.yaml_files import load_configuration
@@ -16,6 +15,7 @@ from granular_fronts.studies.hard_cases import (
     event_orders,
     registry,
 )
+from measure_hard_cases import measure_case
 from projects import ROOT
 
 QUICK = ["delta_1e_8", "delta_1e8", "free_flight", "elastic_collision", "dashpot_collision"]

@@ -5,17 +5,17 @@ from itertools import product
 from pathlib import Path
 
 import matplotlib.pyplot as plt
-import measure_precision as measuring
-import merge_precision as merging
 import numpy as np
 import pandas as pd
 import plot_fig14 as drawing
 import pytest
-import tabulate_speed_error as tabulating
 import xarray as xr
 from dataset_parameters import precision_problems
 from pictures import curves
 
+import measure_precision as measuring
+import merge_precision as merging
+import tabulate_speed_error as tabulating
 from granular_fronts.output.datasets import read_dataset, write_dataset
 from granular_fronts.scenes.yaml_files import load_configuration
 from peers.runs import Run, Stopwatch
