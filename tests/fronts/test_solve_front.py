@@ -9,7 +9,7 @@ import pytest
 
 import granular_fronts as gf
 from granular_fronts.errors import InputError, NoFrontError, SolveError
-from granular_fronts.fronts import solitary_waves
+from granular_fronts.fronts import solitary_waves, solve
 from granular_fronts.fronts.shooting import equations
 from granular_fronts.fronts.solitary_waves import solitary_wave
 from granular_fronts.studies import (
@@ -152,6 +152,7 @@ def test_multipliers_are_known_for_two_powers_from_rest_only():
         (gf.solve_front(**TODA), words),
         (gf.solve_front(1.5, 0.3, right_state=0.2), words),
         (plain.assign_coords(xi=plain["xi"] + 0.1), "whole number of points"),
+        (plain.drop_sel(xi=-3.0), "whole number of points"),
     ):
         with pytest.raises(InputError, match=reason):
             gf.front_multipliers(front)
@@ -195,6 +196,15 @@ def test_what_cannot_be_found_is_a_record_at_once(arguments, words):
     assert np.isnan(front["strain"].values).all()
     with pytest.raises(InputError, match="has not converged"):
         gf.evaluate_front(front, 0.0)
+
+
+def test_a_front_is_kept_where_its_error_is_accepted_alone(monkeypatch):
+    error = gf.solve_front(1.5, 0.3).attrs["error_estimate"]
+    for accepted, converged in ((0.5 * error, 0), (2.0 * error, 1)):
+        monkeypatch.setattr(solve, "ACCEPTED_ERROR", accepted)
+        front = gf.solve_front(1.5, 0.3)
+        assert front.attrs["converged"] == converged
+        assert ("errs by" in front.attrs["reason"]) == (not converged)
 
 
 def without_front(*_, **__):
