@@ -12,13 +12,7 @@ DEFAULTS = load_configuration(DEFAULT)
 collect_ignore = [
     "workflow/test_precision.py",
     "workflow/test_peers.py",
-    "figures/test_figures_of_proofs.py",
     "studies/test_hard_cases.py",
-    "studies/test_ring_orders.py",
-    "referee/test_practitioners.py",
-    "referee/test_referee.py",
-    "proofs/test_proof_records.py",
-    "output/test_paper_numbers.py",
 ]
 LONGEST = (
     *("test_staleness", "test_campaign_run", "test_workflow"),

@@ -10,7 +10,6 @@ import xarray as xr
 from chains import driven_scene
 from compare_periodic_chain import compare_periodic_chain
 from compute_heteroclinic import compute_heteroclinic
-from dataset_parameters import default_parameters
 from initiate_front import initiate_front
 from study import study
 from tabulate_statements import find_measure
@@ -146,15 +145,15 @@ SPEED = {
 
 
 def by_scene(configuration):
-    """The parameters of each dataset, by the name of its scene."""
-    return {
-        name.rpartition("/")[2]: part for name, part in default_parameters(configuration).items()
-    }
+    """The parameters of every scene and study by its name."""
+    groups = [*configuration["scenes"].values(), configuration["exact_fronts"]]
+    groups += [configuration["laws"], {"log_burgers_fronts": configuration["front_exponents"]}]
+    return {name: part for group in groups for name, part in group.items()}
 
 
 def row_of(statement, **changes):
     dataset = xr.Dataset(attrs={"config": json.dumps(REFERENCE | changes)})
-    measure = find_measure(statement["measure"])
+    measure = find_measure(statement["measure"], CONFIG)
     return evaluate(statement, measure, {"chain": dataset}, {"chain": REFERENCE})
 
 
@@ -218,7 +217,7 @@ def test_several_scenes_are_measured_together():
 
 def test_every_statement_can_be_measured_and_judged():
     for statement in STATEMENTS:
-        assert callable(find_measure(statement["measure"]))
+        assert callable(find_measure(statement["measure"], CONFIG))
         assert set(scenes_of(statement)) <= set(by_scene(DEFAULTS))
         assert statement["paper_place"]
         assert "|" not in "".join(map(str, statement.values()))
@@ -258,9 +257,9 @@ def test_a_dataset_carries_its_scene_as_the_configuration_holds_it(name, tmp_pat
     reference = by_scene(SMOKE)[name]
     dataset = tmp_path / f"{name}.nc"
     if name in STEPS:
-        STEPS[name](scene=reference, scene_id=name, dataset=dataset)
+        STEPS[name](reference, name, dataset)
     else:
-        study(reference, dataset, "studies.materials", "evaluate_materials")
+        study("materials", "evaluate_materials", reference, dataset)
     with xr.open_dataset(dataset) as dataset:
         assert dataset.attrs["scene"] == name
         assert departures(json.loads(dataset.attrs["config"]), reference) == []
