@@ -65,7 +65,7 @@ CHAINS = [
     ({"beads": 10**30}, "beads is 1000000000000000000000000000000 | beyond what an array"),
     ({"beads": "420.5"}, 'beads is "420.5"'),
     ({"law__alpha": "1,5"}, 'law.alpha is "1,5" | no comma | write 1.5'),
-    ({"law__alpha": "1,500"}, 'law.alpha is "1,500" | no comma | point'),
+    ({"law__alpha": "1,500"}, 'law.alpha is "1,500" | no comma: write a point'),
     ({"law__gamma": "1,5e-3"}, 'law.gamma is "1,5e-3" | write 0.0015'),
     ({"law__alpha": "3/2"}, 'law.alpha is "3/2" | write 1.5'),
     ({"law__alpha": "3/0"}, 'law.alpha is "3/0" | give a number'),
