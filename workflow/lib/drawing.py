@@ -5,7 +5,8 @@ A script of a figure holds one function, which is given datasets and returns a f
 The caption is a Jinja template.  Its variables are the names of the datasets.  Each is the
 configuration of its dataset, so that a caption cannot name other values than the picture shows, and
 `measured` in it is the dataset, for sentences that other values would make false.
-Where these are not the paper's, the caption ends with the difference.
+Where these are not the ones that the figure was made for, the paper's above all, the caption ends
+with the difference.
 """
 
 import re
@@ -117,4 +118,4 @@ def _departure_notes(datasets: list[xr.Dataset], reference: Mapping[str, Any]) -
             continue
         if found := physical_departures(configuration_of(dataset), reference[scene]):
             words = _without_markup(describe(found))
-            yield f"**Not the paper's parameters** in scene {named}: {words}."
+            yield f"**Changed parameters** in scene {named}: {words}."
