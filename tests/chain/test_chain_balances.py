@@ -2,14 +2,13 @@
 
 import numpy as np
 import pytest
-from chains import driven_scene, ring_scene, smooth_ring
+from chains import driven_scene, given, ring_scene, smooth_ring
 
 import granular_fronts as gf
 from granular_fronts.chain import equations, run, state
 from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.simulate import simulate_chain, solve
-from granular_fronts.studies.hard_cases.contact_cases import squeezed_chain
 
 HERTZ = gf.make_law(alpha=1.5).elastic
 BALANCES = {"snapshots": [], "balances": True}
@@ -18,7 +17,8 @@ BALANCES = {"snapshots": [], "balances": True}
 @pytest.mark.parametrize(("alpha", "beta"), [(1.2, 1.2), (1.5, 1.0), (1.5, 2.5)])
 def test_balances_close_through_openings(alpha, beta):
     """A squeezed chain falls apart; W'' has roots or jumps there, the balances go on."""
-    scene = squeezed_chain() | {"law": {"alpha": alpha, "beta": beta, "gamma": 0.06}}
+    start = given(0.1 * (1.0 + 0.5 * np.sin(1.7 * np.arange(19))), np.zeros(20))
+    scene = driven_scene(0.06, 20, 100.0, alpha, beta, delta=0.0, start=start, record=BALANCES)
     solution = solve(scene)
     assert solution.drifts["momentum_drift"] < 1.0e-14
     assert solution.drifts["energy_drift"] < 1.0e-12

@@ -1,5 +1,7 @@
 """Conservative chains against closed forms, exact waves, linear theory and extended precision."""
 
+import math
+
 import numpy as np
 import pytest
 from chains import TIGHT, driven_scene, given, last_state
@@ -126,7 +128,7 @@ def test_momentum_through_an_interface(step_of, ratio):
     assert passed == pytest.approx(2.0 * impedance / (1.0 + impedance), rel=1.0e-12)
 
 
-# Extended precision, and hard cases.
+# Extended precision.
 
 DIMER = {"cell": [1.0, LIGHT]}
 WALL = {"kind": "wall", "left": 0.0}

@@ -6,8 +6,8 @@ iteration.  Its last coefficients measure the error, and it gives the state at e
 contact opens or closes, a force is not smooth.  Steps shrink towards that instant, and the one that
 straddles it is so short that the force does nothing in it.
 
-Hard cases are judged by it, and, from outside the package, the stated errors of random chains and
-the stored states of `tests/references`.
+From outside the package the stated errors of random chains are judged by it, and the stored states
+of `tests/references` made.
 """
 
 from collections.abc import Callable, Mapping
@@ -16,7 +16,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from granular_fronts.accuracy import with_refinement
 from granular_fronts.chain.run import make_beads
 from granular_fronts.errors import SolveError
 from granular_fronts.scenes.chain import Chain, Equilibrium, Given, Piston, Striker
@@ -398,25 +397,3 @@ class Motion:
             theta = np.clip(moved, low, high)
         time = step.start + half * (theta + 1)
         return Passages(time, contacts, u_at(theta, contacts), rate_at(theta, contacts), direction)
-
-
-class Reference(NamedTuple):
-    """Relative displacements and velocities at the end of a scene, shape (N,), and their error."""
-
-    relative_displacement: np.ndarray
-    velocity: np.ndarray
-    error: float
-
-
-def reference_state(scene: Mapping[str, Any]) -> Reference:
-    """Return state of a pressed chain at its end; the error is the change by another tolerance."""
-
-    def solve(tolerance):
-        motion = Motion(scene, tolerance)
-        u, velocity = motion.states([scene["end_time"]])
-        return np.append(u, motion.right), velocity[0]
-
-    kept, other = with_refinement(solve, TOLERANCE, OTHER_TOLERANCE)
-    error = max(float(np.abs(a - b).max()) for a, b in zip(kept, other, strict=True))
-    u, velocity = (part.astype(float) for part in kept)
-    return Reference(u, velocity, error)
