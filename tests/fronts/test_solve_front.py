@@ -6,6 +6,7 @@ import time
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import granular_fronts as gf
 from granular_fronts.errors import InputError, NoFrontError, SolveError
@@ -18,6 +19,7 @@ from granular_fronts.studies import (
     fronts_compared,
     jump_conditions_measured,
 )
+from projects import ROOT
 
 
 def test_velocity_differences_are_the_rate_of_compression():
@@ -247,3 +249,14 @@ def test_an_iteration_that_does_not_settle_says_so(monkeypatch):
     front = gf.solve_front(1.5, 0.3, method="shooting")
     assert not front.attrs["converged"]
     assert "not settled after 1 Gauss-Newton steps" in front.attrs["reason"]
+
+
+@pytest.mark.parametrize("gamma", [0.1, 0.65])
+@pytest.mark.parametrize("method", ["profile", "shooting"])
+def test_front_is_that_of_extended_precision_within_its_error(gamma, method):
+    states = xr.load_dataset(ROOT / "tests" / "references" / "fronts_reference.nc")
+    front = gf.solve_front(1.5, gamma, method=method)
+    for name in ("relative_displacement", "velocity"):
+        [expected] = states[name].values[states["gamma"] == gamma]
+        error = np.abs(gf.evaluate_front(front, states["bead"], name) - expected).max()
+        assert error < min(5e-14, 2.0 * front[name].attrs["error_estimate"])

@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 
-from peers.lammps_chain import find_command
+from granular_fronts.referee.lammps_run import find_lammps
 
 # Debian 12 has a version of 2021, which lacks a damping model and a style of atoms.
 FIRST_YEAR = 2022
@@ -13,7 +13,7 @@ FIRST_YEAR = 2022
 
 def find_recent():
     """Return the command, or None where LAMMPS is absent or too old."""
-    command = find_command()
+    command = find_lammps()
     if not command:
         return None
     said = subprocess.run([command, "-h"], capture_output=True, text=True, check=False).stdout

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
+
 
 @dataclass(frozen=True)
 class ChainSystem:
@@ -26,6 +28,11 @@ class ChainSystem:
         state = np.zeros(2 * self.beads)
         state[self.beads] = -self.gamma * self.left**1.5
         return state
+
+    def scene(self):
+        """Return the same as the package takes it."""
+        law, record = kuwabara_kono(1.5, self.gamma), {"snapshots": [self.end]}
+        return pressed_chain(law, self.beads, self.end, (1e-9, 1e-11), record, self.left)
 
     def observe(self, state):
         """Return u_1 … u_N and the velocities of a state (x, w)."""

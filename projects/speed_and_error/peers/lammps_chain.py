@@ -6,16 +6,12 @@ forces, `fix mvv/dpd 1.0` one of order two.  A tolerance is a step in units of t
 """
 
 import re
-import shutil
-import sys
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
-from granular_fronts.errors import SolveError
 from granular_fronts.referee.lammps_deck import write_deck
-from granular_fronts.referee.lammps_run import run_lammps
+from granular_fronts.referee.lammps_run import find_lammps, run_lammps
 from granular_fronts.scenes.chain import Chain
 from peers.runs import Run
 
@@ -24,56 +20,18 @@ NAME = "chain"
 
 def solve(system, step, _atol, integrator):
     """Let LAMMPS move a chain that is pressed at its left end."""
-    command = find_command()
+    command = find_lammps()
     if not command:
-        message = "the command lmp of LAMMPS is not on the path (see peers-environment.txt)"
-        return Run(message=message, absent=True)
+        return Run(message="the command lmp of LAMMPS is not on the path", absent=True)
     if abs(round(system.end / step) * step - system.end) > 1e-9 * system.end:
         return Run(message=f"no whole number of steps {step:g} ends at {system.end:g}")
-    try:
-        result, report = run_lammps(command, NAME, _deck_of(system), step, integrator)
-    except SolveError as error:
-        return Run(message=str(error))
-    return Run(
-        {
-            "relative_displacement": _relative_displacements(result.x[-1]),
-            "velocity": result.v[-1],
-        },
-        **_times_of(report),
-        steps=round(system.end / step),
-    )
-
-
-def find_command():
-    """Return the command from the folder of this Python or from the path, or None."""
-    near = Path(sys.executable).with_name("lmp")
-    return str(near) if near.exists() else shutil.which("lmp")
-
-
-def _deck_of(system):
-    """Return the input file, which writes the first and the last state."""
-    scene = Chain(
-        law={"alpha": 1.5, "beta": 1.5, "gamma": system.gamma},
-        beads=system.beads,
-        boundary={"kind": "pressure", "left": system.left, "right": 0.0},
-        start={"kind": "rest"},
-        end_time=system.end,
-        tolerance={"relative": 1e-12, "absolute": 1e-14},
-        record={"snapshots": []},
-    )
-    return write_deck(NAME, "front initiation", scene, system.end)
-
-
-def _relative_displacements(x):
-    """Return u_1 … u_N; the last one is at the free end."""
-    return np.append(x[:-1] - x[1:], 0.0)
-
-
-def _times_of(report):
-    """Return the times of the loop that LAMMPS reports, without setup and input."""
+    deck = write_deck(NAME, "front initiation", Chain.read(system.scene()), system.end)
+    result, report = run_lammps(command, NAME, deck, step, integrator)
+    x, velocity = result.x[-1], result.v[-1]
+    fields = {"relative_displacement": np.append(x[:-1] - x[1:], 0.0), "velocity": velocity}
     seconds = float(re.search(r"^Loop time of (\S+) on 1 procs", report, re.MULTILINE).group(1))
-    share = re.search(r"^(\S+)% CPU use", report, re.MULTILINE).group(1)
-    return {"seconds": seconds, "cpu_seconds": 0.01 * float(share) * seconds}
+    share = float(re.search(r"^(\S+)% CPU use", report, re.MULTILINE).group(1))
+    return Run(fields, seconds, 0.01 * share * seconds)
 
 
 METHODS = {

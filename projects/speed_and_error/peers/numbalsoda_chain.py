@@ -13,8 +13,8 @@ import numpy as np
 from peers.runs import Run, Stopwatch, missing_package
 
 STEP_LIMIT = 10_000_000
-# Data of the callback: calls, N, γ, δ, scratch for the forces.
-_HEAD = 4
+# Data of the callback: N, γ, δ, scratch for the forces.
+_HEAD = 3
 
 
 @cache
@@ -44,11 +44,10 @@ def _compiled_callback():
     @numba.cfunc(lsoda_sig)
     def right_hand_side(_, state, out, data):
         head = numba.carray(data, _HEAD)
-        beads = int(head[1])
-        head[0] += 1.0
+        beads = int(head[0])
         force = numba.carray(data, _HEAD + beads + 1)[_HEAD:]
         size = 2 * beads
-        kernel(numba.carray(state, size), numba.carray(out, size), force, head[2], head[3])
+        kernel(numba.carray(state, size), numba.carray(out, size), force, head[1], head[2])
 
     return right_hand_side
 
@@ -62,7 +61,7 @@ def _run_dop853(system, rtol, atol):
 
     address = _compiled_callback().address
     data = np.zeros(_HEAD + system.beads + 1)
-    data[1:_HEAD] = system.beads, system.gamma, system.left
+    data[:_HEAD] = system.beads, system.gamma, system.left
     times = np.array([0.0, system.end])
     with Stopwatch() as watch:
         states, success = numbalsoda.dop853(
@@ -70,7 +69,7 @@ def _run_dop853(system, rtol, atol):
         )
     if not success:
         return Run(message="numbalsoda.dop853 reported failure")
-    return Run(system.observe(states[-1]), **watch.times, right_hand_sides=data[0])
+    return Run(system.observe(states[-1]), **watch.times)
 
 
 METHODS = {"numbalsoda_dop853": _run_dop853}

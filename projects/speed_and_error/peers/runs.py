@@ -16,9 +16,6 @@ class Run:
     fields: Mapping[str, np.ndarray] = field(default_factory=dict)
     seconds: float = np.nan  # wall-clock time of only the solve
     cpu_seconds: float = np.nan  # processor time, likewise
-    right_hand_sides: float = np.nan  # NaN where the tool does not report it
-    steps: float = np.nan
-    grid: float = np.nan  # cells or points; NaN where the method chooses them or has none
     message: str = ""  # why there is no result or an uncertain one
     absent: bool = False  # whether the method is not installed
 
@@ -44,6 +41,6 @@ def missing_package(*names):
     """Return a run that names the first package which is not installed, or None."""
     for name in names:
         if importlib.util.find_spec(name) is None:
-            message = f"the package {name} is not installed here (see peers-environment.txt)"
+            message = f"the package {name} is not installed (see peers-environment.txt)"
             return Run(message=message, absent=True)
     return None

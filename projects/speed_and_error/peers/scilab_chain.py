@@ -46,8 +46,8 @@ def run_ode(system, rtol, atol):
         if not output.exists():
             said = " ".join((process.stdout + process.stderr).split())
             return Run(message=f"Scilab failed: {said}")
-        seconds, cpu_seconds, calls, steps, *state = np.fromfile(output, "<f8")
-    return Run(system.observe(np.array(state)), seconds, cpu_seconds, calls, steps)
+        seconds, cpu_seconds, *state = np.fromfile(output, "<f8")
+    return Run(system.observe(np.array(state)), seconds, cpu_seconds)
 
 
 METHODS = {"scilab_ode": run_ode}

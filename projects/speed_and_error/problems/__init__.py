@@ -1,5 +1,1 @@
-"""Problems for the study of speed against error.
-
-One module per family of the paper's problems. Each has `make_problem`, which takes an entry of the
-configuration and the stored references.
-"""
+"""Problems for speed against error, each with its answer and the methods that solve it."""

@@ -1,6 +1,6 @@
-"""The rings of James (2021), section 4.3, to their end by the logarithmic Burgers equation (50).
+"""A ring of James (2021), section 4.3, to its end by the logarithmic Burgers equation (50).
 
-Four schemes; a tolerance is the width of a cell over the length of the ring, or the longest step:
+Four schemes; a number of points or cells, or a longest step, says how fine:
 
 upwind          the paper's explicit scheme;
 finite_volumes  ours, with finer cells at the start;
@@ -24,8 +24,10 @@ from granular_fronts.continuum.log_kdv_burgers.solution import follow
 from granular_fronts.reference_methods import upwind
 from granular_fronts.scenes.ring import Ring
 from peers.runs import Run, Stopwatch
-from problems.problem import Problem, Reference
+from problems.problem import Answer, Problem
 
+# Of the reference.
+CELLS, TOLERANCE, POINTS, LONGEST_STEP = 4096, 1.0e-10, 1024, 0.0025
 # Error per step over the sixth power of the cell width: neither space nor time is wasted.
 TOLERANCE_PER_WIDTH = 0.05
 EVALUATED_POINTS = 8192
@@ -34,62 +36,45 @@ EVALUATED_POINTS = 8192
 FOURIER_ORDER, FOURIER_LEVELS = 4, 4
 
 
-def make_problem(problem, _states=None):
-    """Return one ring of ``precision.log_burgers`` with its `scene`."""
-    scene, fine = Ring.read(problem["scene"]), problem["reference"]
-    accurate = solve(scene, 1.0, [scene.end_time], fine["cells"], fine["tolerance"])
-    independent = _run_fourier(scene, accurate, fine["points"], fine["longest_step"])
+def make_ring(_settings, scene):
+    """Return a periodic scene with its answer."""
+    scene = Ring.read(scene)
+    accurate = solve(scene, 1.0, [scene.end_time], CELLS, TOLERANCE)
+    independent = _run_fourier(scene, accurate, LONGEST_STEP)
     error = float(np.abs(independent.fields["rescaled_force"]).max())
-    widths = [1.0 / cells for cells in problem["cells"]]
-    methods = {
-        "upwind": partial(_run_upwind, scene, accurate),
-        "finite_volumes": partial(_run_cells, scene, accurate, START_LEVELS),
-        "uniform_cells": partial(_run_cells, scene, accurate, 0),
-        "fourier": partial(_run_fourier, scene, accurate, fine["points"]),
-    }
-    tolerances = {
-        "upwind": [1.0 / points for points in problem["upwind_points"]],
-        "finite_volumes": widths,
-        "uniform_cells": widths,
-        "fourier": problem["longest_steps"],
-    }
     return Problem(
-        ours="finite_volumes",
         # The fields of a run are its distances to the reference.
-        reference={"rescaled_force": Reference(np.zeros(1), np.zeros(1), error)},
-        methods=methods,
-        tolerances=tolerances,
+        {"rescaled_force": Answer(np.zeros(1), np.zeros(1), error)},
+        {
+            "upwind": partial(_run_upwind, scene, accurate),
+            "finite_volumes": partial(_run_cells, scene, accurate, START_LEVELS),
+            "uniform_cells": partial(_run_cells, scene, accurate, 0),
+            "fourier": partial(_run_fourier, scene, accurate),
+        },
     )
 
 
-def _run_upwind(scene, accurate, width):
-    """Run the paper's scheme."""
-    points, half_length, end = round(1.0 / width), accurate.half_length, _end_of(scene)
+def _run_upwind(scene, accurate, points):
+    """The paper's scheme."""
+    points, half_length = round(points), accurate.half_length
     with Stopwatch() as watch:
         values = make_start(scene.start).values(upwind.grid(half_length, points), half_length)
-        found = upwind.evolve_upwind(values, half_length, end)
-    fields = _distances(accurate, found.xi, found.values)
-    return Run(fields, **watch.times, right_hand_sides=found.steps, steps=found.steps, grid=points)
+        found = upwind.evolve_upwind(values, half_length, _end_of(scene))
+    return Run(_distances(accurate, found.xi, found.values), **watch.times)
 
 
-def _run_cells(scene, accurate, levels, width):
-    """Run the finite volumes."""
-    cells = round(1.0 / width)
+def _run_cells(scene, accurate, levels, cells):
+    """The finite volumes."""
+    cells = round(cells)
     tolerance = TOLERANCE_PER_WIDTH * (2.0 * accurate.half_length / cells) ** 6
     with Stopwatch() as watch:
         evolution = solve(scene, 1.0, [scene.end_time], cells, tolerance, levels)
     xi = upwind.grid(accurate.half_length, EVALUATED_POINTS)
-    return Run(
-        _distances(accurate, xi, evolution.rescaled_force(0, xi)),
-        **watch.times,
-        right_hand_sides=evolution.counts["right_hand_sides"],
-        steps=evolution.counts["steps_accepted"],
-        grid=cells,
-    )
+    return Run(_distances(accurate, xi, evolution.rescaled_force(0, xi)), **watch.times)
 
 
-def _run_fourier(scene, accurate, points, longest_step):
-    """Run the Fourier method, with four right-hand sides per step, on ξ = ξ̃ + τ."""
+def _run_fourier(scene, accurate, longest_step):
+    """The Fourier method on ξ = ξ̃ + τ."""
     half_length, end = accurate.half_length, _end_of(scene)
     equation = Equation(half_length, 1.0, 0.0, SMALLEST_ARGUMENT)
     # `follow` takes half of the steps that it is shown.
@@ -97,17 +82,10 @@ def _run_fourier(scene, accurate, points, longest_step):
     tolerance = longest_step**FOURIER_ORDER
     with Stopwatch() as watch:
         start = make_start(scene.start)
-        kept, motion = follow(
-            equation, start, [end], points, tolerance, FOURIER_LEVELS, coarser=doubled
-        )
-    xi = upwind.grid(half_length, points)
-    return Run(
-        _distances(accurate, xi, values_at(kept[0], half_length, xi + end)),
-        **watch.times,
-        right_hand_sides=4 * (motion.accepted + motion.rejected),
-        steps=motion.accepted,
-        grid=points,
-    )
+        kept, _ = follow(equation, start, [end], POINTS, tolerance, FOURIER_LEVELS, coarser=doubled)
+    xi = upwind.grid(half_length, POINTS)
+    values = values_at(kept[0], half_length, xi + end)
+    return Run(_distances(accurate, xi, values), **watch.times)
 
 
 def _end_of(scene):

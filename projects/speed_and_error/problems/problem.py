@@ -1,15 +1,18 @@
 """A problem with its answer, and how far a run is from it."""
 
-from collections.abc import Callable, Mapping, Sequence
-from types import MappingProxyType
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 import numpy as np
+import xarray as xr
 
+from granular_fronts.errors import InputError
 from peers.runs import Run
 
+FIELDS = ("relative_displacement", "velocity")
 
-class Reference(NamedTuple):
+
+class Answer(NamedTuple):
     """The answer for one field."""
 
     values: np.ndarray  # nearest doubles
@@ -18,57 +21,40 @@ class Reference(NamedTuple):
 
 
 class Problem(NamedTuple):
-    """What is solved, and by whom."""
+    """What is solved, and by what."""
 
-    ours: str  # the method of this project
-    reference: Mapping[str, Reference]  # one for each field of the solution
-    methods: Mapping[str, Callable[[float], Run]]  # each takes a tolerance
-    # Of methods that the configuration gives grids or steps for.
-    tolerances: Mapping[str, Sequence[float]] = MappingProxyType({})
+    answers: Mapping[str, Answer]  # one for each field of the solution
+    methods: Mapping[str, Callable[[float], Run]]  # each takes a tolerance, a step, or a number
 
     @property
-    def reference_error(self):
-        """Largest error of the answer itself."""
-        return max(field.error for field in self.reference.values())
+    def reference_error(self) -> float:
+        """Largest error of the answers themselves."""
+        return max(answer.error for answer in self.answers.values())
 
 
-def errors_of(run, reference):
-    """Return the errors of a run against the answer, at least the error of the answer.
+def error_of(run: Run, problem: Problem) -> float:
+    """Return the largest distance to the answers, at least their own error; NaN without a result.
 
-    `error`, the largest of all fields; `below_reference`, whether the answer is too coarse to
-    measure it; `<field>_error_sup` and `<field>_error_rms`.  Empty for a run without a result.
+    Of two near doubles the difference is exact.
     """
-    if not run.fields:
-        return {}
-    errors, largest = {}, 0.0
-    for name, expected in reference.items():
-        # Of two near doubles the difference is exact.
-        difference = (run.fields[name] - expected.values) - expected.low
-        sup, rms = np.abs(difference).max(), np.sqrt(np.mean(difference**2))
-        errors[f"{name}_error_sup"] = max(sup, expected.error)
-        errors[f"{name}_error_rms"] = max(rms, expected.error)
-        largest = max(largest, sup)
-    limit = max(expected.error for expected in reference.values())
-    return {"error": max(largest, limit), "below_reference": float(largest < limit), **errors}
+    distances = [
+        float(np.abs((run.fields[name] - answer.values) - answer.low).max())
+        for name, answer in problem.answers.items()
+        if run.fields
+    ]
+    return max(*distances, problem.reference_error) if distances else np.nan
 
 
-def stored_state(states, family, **wanted):
-    """Return the entry of a family's stored reference with the wanted coordinates, or a refusal."""
+def stored_answers(states: xr.Dataset, **wanted: float) -> dict[str, Answer]:
+    """Return the stored answers with the wanted coordinates, or refuse in a sentence."""
     same = np.logical_and.reduce([states[name] == value for name, value in wanted.items()])
     if not same.any():
-        listed = " and ".join(f"{name} = {value}" for name, value in wanted.items())
-        raise ValueError(
-            f"No reference is stored for {listed}: add it to "
-            f"tools/references/make_{family}_reference.py, or choose a stored one."
+        listed = " and ".join(f"{name} = {value:g}" for name, value in wanted.items())
+        raise InputError(
+            f"No reference is stored for {listed}: choose a problem of tests/references/README.md."
         )
-    return states.isel(state=int(np.argmax(same)))
-
-
-def read_reference(state, names):
-    """Return the answer of an entry with `<name>`, `<name>_low`, `<name>_error` for each name."""
+    state = states.isel(state=int(np.argmax(same)))
     return {
-        name: Reference(
-            state[name].values, state[f"{name}_low"].values, float(state[f"{name}_error"])
-        )
-        for name in names
+        name: Answer(state[name].values, state[f"{name}_low"].values, float(state[f"{name}_error"]))
+        for name in FIELDS
     }

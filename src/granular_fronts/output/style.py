@@ -70,24 +70,6 @@ MODEL_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "dispe
 CHAIN_COLOUR, EQUATION_COLOUR = BLACK, BLUE
 # Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
 EXPONENT_LOOKS = ((BLUE, DASHED), (GREEN, DASH_DOTTED))
-# Whose solver it is, in figure speed_error.
-PACKAGE_COLOURS = {
-    "ours": BLACK,
-    "upwind": ALARM_COLOUR,
-    "scilab": ALARM_COLOUR,
-    "scipy": BLUE,
-    "numbalsoda": GREEN,
-    "diffrax": MAGENTA,
-    "lammps": LIGHT_BLUE,
-}
-PACKAGE_LINES: dict[str, Any] = {
-    "upwind": "-",
-    "scilab": (0, (4, 1)),
-    "scipy": "-",
-    "numbalsoda": (0, (6, 1.5)),
-    "diffrax": (0, (6, 1, 1, 1, 1, 1)),
-    "lammps": "-.",
-}
 
 # The font subsetter remarks on the fixed dates that make PDF files reproducible.
 logging.getLogger("fontTools").setLevel(logging.ERROR)

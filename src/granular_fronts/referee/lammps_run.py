@@ -1,11 +1,19 @@
 """Run LAMMPS on an input file that `lammps_deck` wrote, and read what it leaves."""
 
+import shutil
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
 from granular_fronts.errors import SolveError
 from granular_fronts.referee.results_files import read_result
+
+
+def find_lammps():
+    """Return the command ``lmp`` from the folder of this Python or from the path, or None."""
+    near = Path(sys.executable).with_name("lmp")
+    return str(near) if near.exists() else shutil.which("lmp")
 
 
 def run_lammps(command, name, deck, step, integrator="nve"):
