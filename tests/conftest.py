@@ -9,14 +9,9 @@ from granular_fronts.scenes.yaml_files import load_configuration
 from projects import copy_project, lend_kernels, snakemake
 
 DEFAULTS = load_configuration(DEFAULT)
-collect_ignore = [
-    "workflow/test_precision.py",
-    "workflow/test_peers.py",
-    "studies/test_hard_cases.py",
-]
 LONGEST = (
     *("test_staleness", "test_campaign_run", "test_workflow"),
-    *("test_proof_fronts", "test_a_further_law", "test_hard_cases"),
+    *("test_proof_fronts", "test_a_further_law"),
     *("test_documents", "test_chain_reference", "test_interrupts"),
     *("test_proof_checker", "test_passes", "test_extending"),
 )

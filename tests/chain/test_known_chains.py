@@ -1,7 +1,5 @@
 """Conservative chains against closed forms, exact waves, linear theory and extended precision."""
 
-import math
-
 import numpy as np
 import pytest
 from chains import TIGHT, driven_scene, given, last_state

@@ -116,12 +116,12 @@ def test_digest_of_data_sees_values_names_and_shapes():
 def test_data_read_back_have_the_digest_they_were_written_with(tmp_path):
     """A file keeps neither the type of text nor the sign of what is not a number."""
     texts = np.array(["", "stopped"], dtype=object)
-    values = {"value": [-np.nan, -0.0], "message": texts, "passed": [True, False], "step": [1, 2]}
-    given = xr.Dataset({name: ("case", value) for name, value in values.items()})
+    values = {"value": [-np.nan, -0.0], "reason": texts, "converged": [True, False], "step": [1, 2]}
+    given = xr.Dataset({name: ("material", value) for name, value in values.items()})
     write_dataset(given, tmp_path / "scene.nc", scene_id="scene", config={})
     dataset = read_dataset(tmp_path / "scene.nc")
     assert dataset.attrs["data_digest"] == data_digest(given) == data_digest(dataset)
-    assert data_digest(given) == data_digest(given.assign(value=("case", [np.nan, -0.0])))
+    assert data_digest(given) == data_digest(given.assign(value=("material", [np.nan, -0.0])))
 
 
 def test_what_is_no_dataset_of_this_project_or_scene_is_refused(path, tmp_path):

@@ -158,7 +158,7 @@ class Motion:
         if np.finfo(REAL).nmant < 63:
             raise SolveError(
                 f"numpy.longdouble has a significand of {np.finfo(REAL).nmant + 1} bits here and "
-                "64 are needed for a reference: measure the hard cases on an x86-64 machine."
+                "64 are needed for a reference: compute it on an x86-64 machine."
             )
         scene = Chain.read(scene)
         self.beads, boundary = scene.beads.count, scene.boundary

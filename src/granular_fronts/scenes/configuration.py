@@ -12,10 +12,8 @@ from pydantic import Field
 from granular_fronts.errors import InputError, raise_if_any
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.front import Front
-from granular_fronts.scenes.hard_cases import HardCases
 from granular_fronts.scenes.orbit import Orbits
 from granular_fronts.scenes.parts import Listed, Named, Part, Positive
-from granular_fronts.scenes.precision import Precision
 from granular_fronts.scenes.ring import Ring
 from granular_fronts.scenes.sentences import LONGEST_SHOWN, Scene, read_part
 from granular_fronts.scenes.studies import ExactFronts, Exponent, Laws
@@ -70,14 +68,12 @@ class Configuration(Part):
     scenes: Scenes
     exact_fronts: ExactFronts
     laws: Laws
-    precision: Precision
-    hard_cases: HardCases = Field(description="Problems at the edge of what the solvers can do.")
     projects: dict[str, dict[str, Any]] = Field(
         {}, description="Settings of projects by their names, laid over the config.yaml of each."
     )
 
     def problems(self) -> Iterator[str]:
-        """No two results have one name, and precision is measured for rings that there are."""
+        """No two results have one name."""
         studies = "log_burgers_fronts", *ExactFronts.model_fields, *Laws.model_fields
         owners = {name: f"the study {name}" for name in studies}
         for family, scenes in self.scenes:
@@ -88,13 +84,6 @@ class Configuration(Part):
                         "belongs to one result only: rename a scene."
                     )
                 owners.setdefault(name, f"scenes.{family}.{name}")
-        rings = self.scenes.periodic
-        for name in self.precision.log_burgers:
-            if name not in rings:
-                yield (
-                    f"precision.log_burgers.{name} names no periodic scene: choose one of "
-                    f"{', '.join(rings)}."
-                )
 
 
 UNUSABLE = *"{}<>*?|\"'\n\t\\$", "://"
