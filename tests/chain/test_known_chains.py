@@ -128,6 +128,18 @@ def test_momentum_through_an_interface(step_of, ratio):
 
 # Extended precision.
 
+
+@extended
+def test_two_beads_pressed_from_both_sides_in_extended_precision_are_the_closed_form():
+    gamma, end = 0.1, 3.0
+    scene = driven_scene(gamma, 2, end, 1.0, delta=1.0, start=given([0.5], [0.0, 0.0]))
+    scene["boundary"]["right"] = 1.0
+    [[u]], _ = Motion(scene).states([end])
+    frequency = np.sqrt(2.0 - gamma**2)
+    swing = np.cos(frequency * end) + gamma / frequency * np.sin(frequency * end)
+    assert u == pytest.approx(1.0 - 0.5 * np.exp(-gamma * end) * swing, rel=0, abs=1e-15)
+
+
 DIMER = {"cell": [1.0, LIGHT]}
 WALL = {"kind": "wall", "left": 0.0}
 UNLIKE = {
