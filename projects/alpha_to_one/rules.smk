@@ -7,9 +7,8 @@ ALPHA_TO_ONE = [
 RINGS_CODE = "merge_campaign", "solve_chunk", "granular_fronts.campaign.ring_points"
 
 
-def rings_shown(wildcards):
-    """Return what each campaign asks for, which is what its findings are about."""
-    return {name: [campaign_of(name).given] * 2 for name in ALPHA_TO_ONE}
+# What each campaign asks for, which is what its findings are about; read when a job is planned.
+RINGS_SHOWN = lambda wildcards: {name: [campaign_of(name).given] * 2 for name in ALPHA_TO_ONE}
 
 
 rule ring_limit:
@@ -22,7 +21,7 @@ rule ring_limit:
         **figure("ring_limit", "projects/alpha_to_one/captions"),
     params:
         code=code("ring_limit", *RINGS_CODE),
-        shown=rings_shown,
+        shown=RINGS_SHOWN,
     log:
         "<logs>/ring_limit.log",
     benchmark:
@@ -44,7 +43,7 @@ rule tabulate_ring_orders:
         **table("ring_orders"),
     params:
         code=code("tabulate_ring_orders", *RINGS_CODE),
-        shown=rings_shown,
+        shown=RINGS_SHOWN,
     log:
         "<logs>/tabulate_ring_orders.log",
     benchmark:
@@ -66,7 +65,7 @@ rule tabulate_ring_limit:
         code=code(
             "tabulate_statements", *measured_by("projects/alpha_to_one/findings.yaml"), *RINGS_CODE
         ),
-        shown=rings_shown,
+        shown=RINGS_SHOWN,
     log:
         "<logs>/tabulate_ring_limit.log",
     benchmark:

@@ -14,9 +14,8 @@ PROOFS_CHUNKS = {
 }
 
 
-def proofs_shown(*keys):
-    """Return a function for `params`: what is proved under some keys, and what config.yaml says."""
-    return lambda wildcards: {key: [PROOFS[key], PROOFS_OWN[key]] for key in keys}
+# What is proved of each part, and what config.yaml says.
+PROOFS_SHOWN = {key: [PROOFS[key], PROOFS_OWN[key]] for key in ("fronts", "intervals")}
 
 
 rule prove_fronts:
@@ -115,7 +114,7 @@ rule proved_fronts:
         **figure("proved_fronts", "projects/proofs/captions"),
     params:
         code=code("proved_fronts", "prove_fronts", "prove_chunk", "join_intervals"),
-        shown=proofs_shown("fronts", "intervals"),
+        shown=PROOFS_SHOWN,
     log:
         "<logs>/proved_fronts.log",
     benchmark:
@@ -160,7 +159,7 @@ rule tabulate_proofs:
         margins_markdown="<results>/tables/proof_margins.md",
     params:
         code=code("tabulate_proofs", "prove_fronts", "prove_chunk", "join_intervals"),
-        shown=proofs_shown("fronts", "intervals"),
+        shown=PROOFS_SHOWN,
     log:
         "<logs>/tabulate_proofs.log",
     benchmark:

@@ -6,7 +6,7 @@ from chains import TIGHT, driven_scene, given
 from scipy.optimize import brentq
 
 from granular_fronts.chain.recorder import VALUE
-from granular_fronts.chain.recording import collect, fitted_speed, speed_and_error
+from granular_fronts.chain.recording import collect, fitted_speed, front_speed_and_error
 from granular_fronts.chain.run import integrate, prepare
 from granular_fronts.chain.simulate import simulate_chain, solve
 from granular_fronts.errors import SolveError
@@ -247,7 +247,7 @@ def test_reductions_of_the_grid(motion):
 
 def test_speed_is_the_slope_of_the_middle_and_none_without_a_slope():
     bead = np.arange(100.0)
-    speed, error = speed_and_error(bead / 0.7, np.full(100, 1e-3))
+    speed, error = front_speed_and_error(bead / 0.7, np.full(100, 1e-3))
     middle = np.arange(-19.5, 20.0)
     assert speed == pytest.approx(0.7, rel=1e-14)
     # Errors of 1e-3 of either sign, in the worst case.

@@ -93,12 +93,14 @@ def test_every_rule_stands_on_the_imports_of_its_script():
             script = re.search(r"/?(\w+)\.py\"", rule[rule.index("script:") :])[1]
             # What a study or a chunk imports depends on its wildcards.
             if script not in ("study", "solve_chunk"):
-                assert re.search(rf"code=code\(\s*\"{script}\"", rule), (file, script)
+                assert re.search(rf"code=code\(\s*(\*\()?\"{script}\"", rule), (file, script)
 
 
 def test_no_module_takes_a_public_name_that_is_imported_when_it_is_used():
     """Such a name is found in no import statement."""
     public = {f"granular_fronts.{name}" for name in granular_fronts.__all__}
     for name, file in FILES.items():
+        if name.startswith("test_"):
+            continue
         assert not public & named_in(file), name
         assert "import granular_fronts as" not in file.read_text(), name

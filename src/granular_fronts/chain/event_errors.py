@@ -23,9 +23,9 @@ from granular_fronts.chain.recorder import END, END_TIME, STEEPNESS, TIME, VALUE
 from granular_fronts.chain.recording import (
     candidates,
     extremes_of_all,
+    front_speed_and_error,
     monitor_times,
     rounding_of,
-    speed_and_error,
 )
 from granular_fronts.numerics.compiled import kernel
 
@@ -70,7 +70,9 @@ def event_errors(scene, recording, refined, contacts):
     if not np.isnan(recording.level):
         arrival = _error_of_passage(samples, *events["arrival"])
         times = [one[TIME] for one in events["arrival"]]
-        speeds, (speed, *_) = zip(*(speed_and_error(one, arrival) for one in times), strict=True)
+        speeds, (speed, *_) = zip(
+            *(front_speed_and_error(one, arrival) for one in times), strict=True
+        )
         speed = np.fmax(speed, abs(speeds[0] - speeds[1]))
         errors |= {"arrival_time": _largest(arrival), "front_speed": speed}
         peak, other = events["first_peak"]

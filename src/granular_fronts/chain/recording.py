@@ -203,11 +203,11 @@ def _add_probes(recorded, scene, run):
 
 
 def fitted_speed(arrival: np.ndarray) -> float:
-    """Return the slope of bead number over arrival time at mid-chain; see `speed_and_error`."""
-    return speed_and_error(arrival, np.zeros_like(arrival))[0]
+    """Return the slope of bead number over arrival time at mid-chain."""
+    return front_speed_and_error(arrival, np.zeros_like(arrival))[0]
 
 
-def speed_and_error(arrival: np.ndarray, errors: np.ndarray) -> tuple[float, float]:
+def front_speed_and_error(arrival: np.ndarray, errors: np.ndarray) -> tuple[float, float]:
     """Return the slope of bead number over arrival time in the middle of the chain, and its error.
 
     Both arguments have the shape (N,), with NaN where the front has not arrived; errors of times
