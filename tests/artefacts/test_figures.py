@@ -20,7 +20,7 @@ def test_pictures_are_whole_and_name_what_they_were_drawn_from(results, made):
             content = (results / f"figures/{name}.{ending}").read_bytes()
             assert content.startswith(start)
             assert end in content[-12:]
-            named = re.findall(rb"([a-z]\w*:[0-9a-f]{16,})", content)
+            named = re.findall(rb"([a-z]\w*:[0-9a-f]{16})", content)
             assert named, name
             assert {one.decode() for one in named} <= present, name
 
