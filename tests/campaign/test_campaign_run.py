@@ -81,7 +81,7 @@ def test_what_cannot_be_computed_is_refused_before_any_job_and_a_dry_run_writes_
     bare = copy_project(tmp_path)
     write_campaign(bare, axes={"gamma": [0.3, 0.2]}, fixed={**CAMPAIGN["fixed"], "delta": 1.0})
     for arguments, words in (
-        (["--config", "campaign=mine"], "Campaign mine: axes.gamma has 0.2 after 0.3"),
+        (["--config", "campaign=mine"], "Campaign mine: gamma has 0.2 after 0.3"),
         (["--config", "campaign=nosuch"], "There is no campaign nosuch"),
         ([], "Name the campaign, for example: snakemake -c2 campaign --config campaign=smoke"),
     ):
