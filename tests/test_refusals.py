@@ -1,7 +1,12 @@
-"""Whatever is impossible is refused in sentences: key, value and limit, and the way out."""
+"""Whatever is impossible is refused in sentences: key, value and limit, and the way out.
 
-import functools
+`REFUSALS[ask]` lists what `ask(given)` refuses: rows of what is given and of words of the sentence,
+between bars; a line of words for each sentence.
+"""
+
 import json
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
@@ -9,14 +14,16 @@ from configurations import DEFAULT, SCENE, assert_refused, change
 from rings import scene_with
 
 import granular_fronts as gf
-from granular_fronts.campaign.definition import check_campaign
+from campaigns import CHAINS, CHAINS_OF_A_LAW, PULSE, RATIOS, RINGS, TODA, campaign
+from campaigns import SCENE as MOTION
+from granular_fronts.campaign.ring_points import make_ring
 from granular_fronts.continuum.evolution import evolve_unlimited
 from granular_fronts.errors import InputError
 from granular_fronts.model.scaling import Scaling
 from granular_fronts.scenes import memory
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.configuration import SCENES, check_configuration
-from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.scenes.yaml_files import LONGEST_FILE, load_configuration
 
 DEFAULTS = load_configuration(DEFAULT)
 
@@ -25,6 +32,14 @@ DEFAULTS = load_configuration(DEFAULT)
 def sixteen_gibibytes(monkeypatch):
     """What is refused must not depend on the machine of the test."""
     monkeypatch.setattr(memory, "memory_of_machine", lambda: 16 * 2**30)
+
+
+REFUSALS = {}
+
+
+def keywords(function):
+    """A function that is given its arguments by name."""
+    return lambda given: function(**given)
 
 
 # Scenes of chains and of orbits, of which some keys are changed.
@@ -53,7 +68,7 @@ def at_velocity(velocity):
 
 PROBE = {"beads": [1], "start": 0, "stop": 1, "step": 1}
 STEADY = "record__probes__steady__"
-CHAINS = [
+REFUSALS[scene("chain", SCENE)] = [
     # What the schema says.
     ({"law__alpha": 0}, "law.alpha is 0 | above 0"),
     ({"law__gamma": -0.1}, "law.gamma is -0.1 | limit 0"),
@@ -127,7 +142,7 @@ CHAINS = [
     ({"beads": 10**9}, "beads is 1000000000 and end_time is 2600 | 16,004 GiB | the 16 GiB"),
     ({f"{STEADY}step": 1.0e-9}, "record.probes.steady.step is 1e-09 | 53,644 GiB"),
 ]
-ORBITS = [
+REFUSALS[scene("heteroclinic", "front_profiles")] = [
     ({"mu": [0.3, 2, 0.3]}, "mu (entry 3) is 0.3"),
     ({"mu": [0.3, 9e-281]}, "mu (entry 2) is 9e-281 | 1e-280"),
     ({"profile__start": 10}, "profile.start is 10 | stop 10"),
@@ -145,7 +160,6 @@ ORBITS = [
 
 # Chains of laws of potentials.
 
-TODA = {"elastic": {"kind": "toda"}, "viscous": {"kind": "linear", "gamma": 0.3}}
 BARRIER = gf.Potential(
     lambda r: -np.log(-r),
     lambda r: -1.0 / r,
@@ -170,7 +184,7 @@ def of(kind, **parameters):
 
 
 POWERS = {"law": {"alpha": 1.5, "beta": 2.5, "gamma": 0.2}}
-CHAINS_OF_LAWS = [
+REFUSALS[chain_of] = [
     ({"law": TODA | {"alpha": 1.5}}, "law.alpha is no key"),
     (of("toda", rate=0), "law: rate is 0 | above 0"),
     ({"law": {"elastic": {"rate": 1}}}, "law.elastic.kind is missing"),
@@ -217,7 +231,26 @@ def lattice(elastic, *states):
     return {"elastic": elastic, "dissipation": {"kind": "linear", "gamma": 1}, "states": [*states]}
 
 
-SECTIONS = [
+def section(change):
+    """Set a value; a mapping is laid over the one there, an ellipsis copies or takes away."""
+    path, value = change
+    *parents, last = path.split(".")
+    node = configuration = json.loads(json.dumps(DEFAULTS))
+    for parent in parents:
+        node = node.setdefault(parent, {})
+    if value is ...:
+        if last in node:
+            del node[last]
+        else:
+            node[last] = next(iter(node.values()))
+    elif isinstance(value, dict) and value and isinstance(node.get(last), dict):
+        node[last].update(value)
+    else:
+        node[last] = value
+    check_configuration(configuration)
+
+
+REFUSALS[section] = [
     (("exact_fronts.survey.gamma", ...), "survey.gamma is missing | Dampings at equal ratios"),
     # Entries listed twice, unknown names, what is no mapping.
     (("exact_fronts.survey.alpha", [1.1, 1.5, 1.1]), "exact_fronts.survey.alpha (entry 3) is 1.1"),
@@ -272,25 +305,6 @@ SECTIONS = [
 ]
 
 
-def section(change):
-    """Set a value; a mapping is laid over the one there, an ellipsis copies or takes away."""
-    path, value = change
-    *parents, last = path.split(".")
-    node = configuration = json.loads(json.dumps(DEFAULTS))
-    for parent in parents:
-        node = node.setdefault(parent, {})
-    if value is ...:
-        if last in node:
-            del node[last]
-        else:
-            node[last] = next(iter(node.values()))
-    elif isinstance(value, dict) and value and isinstance(node.get(last), dict):
-        node[last].update(value)
-    else:
-        node[last] = value
-    check_configuration(configuration)
-
-
 # Fronts.
 
 
@@ -303,7 +317,7 @@ def linear(gamma):
 
 
 HERTZ, LATTICE = {"alpha": 1.5, "gamma": 0.2}, front_of("toda", linear(0.3), (-2.0, 0.0))
-FRONTS = [
+REFUSALS[keywords(gf.solve_front)] = [
     ({}, "alpha is None"),
     (HERTZ | {"alpha": 1.0}, "linear chain"),
     (HERTZ | {"alpha": 0.5}, "runs the other way"),
@@ -336,22 +350,35 @@ FRONTS = [
         "W'' is 0 at R = 1, the state behind",
     ),
 ]
-SWEEPS = [
+REFUSALS[keywords(gf.sweep_fronts)] = [
     ({"alpha": 1.5, "gammas": [0.1, 0.0]}, "gammas holds 0"),
     ({"alpha": 1.5, "gammas": []}, "must be a list"),
 ]
-TAILS = [
+REFUSALS[keywords(gf.tail_roots)] = [
     ({"alpha": 1.0, "gamma": 0.1}, "alpha is 1.0 | linear chain"),
     ({"alpha": 1.5, "gamma": 0.1, "count": 0}, "count is 0"),
 ]
-CRITICAL = [
+REFUSALS[keywords(gf.critical_damping)] = [
     ({"alpha": 1.5, "definition": "double-root"}, "no double root above"),
     ({"alpha": 1.5, "definition": "best"}, "definition is 'best'"),
     ({"alpha": float("nan")}, "alpha is nan"),
 ]
 
 
-# The rest.
+# Laws, collisions and units.
+
+REFUSALS[keywords(gf.restitution)] = [
+    ({"gamma": 1e308, "alpha": 1.5, "beta": 1.0}, "collision lies beyond double")
+]
+REFUSALS[keywords(Scaling)] = [
+    (
+        {"mass": 1e300, "stiffness": 1e-300, "damping": 0.0, "velocity": 1e-300},
+        "A scale of this chain lies beyond double",
+    )
+]
+
+
+# Equations of a ring.
 
 
 def without(family):
@@ -361,42 +388,165 @@ def without(family):
     return {"scene": ring, "name": "mine"}
 
 
-def keywords(function):
-    return lambda given: function(**given)
+for evolve, family in (
+    (gf.evolve_log_burgers, "logarithmic"),
+    (evolve_unlimited, "unlimited"),
+    (gf.evolve_log_kdv_burgers, "dispersive"),
+):
+    REFUSALS[keywords(evolve)] = [(without(family), f"equations.{family} is missing")]
 
 
-MANY_BEADS = {
-    "kind": "chain",
-    "axes": {"beads": {"linspace": [40, 1e12, 3]}, "gamma": [0.1]},
-    "fixed": {"alpha": 1.5, "delta": 0.1},
-}
-REFUSALS = {
-    scene("chain", SCENE): CHAINS,
-    scene("heteroclinic", "front_profiles"): ORBITS,
-    chain_of: CHAINS_OF_LAWS,
-    section: SECTIONS,
-    keywords(gf.solve_front): FRONTS,
-    keywords(gf.sweep_fronts): SWEEPS,
-    keywords(gf.tail_roots): TAILS,
-    keywords(gf.critical_damping): CRITICAL,
-    keywords(gf.restitution): [
-        ({"gamma": 1e308, "alpha": 1.5, "beta": 1.0}, "collision lies beyond double")
-    ],
-    keywords(Scaling): [
-        (
-            {"mass": 1e300, "stiffness": 1e-300, "damping": 0.0, "velocity": 1e-300},
-            "A scale of this chain lies beyond double",
-        )
-    ],
-    functools.partial(check_campaign, name="big"): [
-        (MANY_BEADS, "beads (entry 2) is 500000000020 | GiB")
-    ],
-    keywords(gf.evolve_log_burgers): [(without("logarithmic"), "equations.logarithmic is missing")],
-    keywords(evolve_unlimited): [(without("unlimited"), "equations.unlimited is missing")],
-    keywords(gf.evolve_log_kdv_burgers): [
-        (without("dispersive"), "equations.dispersive is missing")
-    ],
-}
+# Campaigns.
+
+
+def campaign_of(given):
+    """Of a campaign some keys are changed; an ellipsis takes one away."""
+    return lambda changes: campaign(given, **changes)
+
+
+def gammas(values, **axes):
+    return {"axes": {"delta": [1.0], "gamma": values, **axes}}
+
+
+def fixed(given=CHAINS, **changes):
+    return {"fixed": {**given["fixed"], "delta": 1.0, **changes}}
+
+
+def profile(start, stop, count):
+    return {"record": {"profile": {"start": start, "stop": stop, "count": count}}}
+
+
+def listed(*force):
+    bare = {"damping": 0.5, "half_length": 8.1}
+    return {"start": {"profile": "given", "rescaled_force": [*force]}, "fixed": bare}
+
+
+BARE = {"elastic": {"kind": "toda"}, "viscous": None}
+
+
+def rates(*values, **axes):
+    return {"axes": {"law.elastic.rate": [*values], "delta": [1.0], **axes}}
+
+
+def sensors(value):
+    record = {"snapshots": [], "sensors": value}
+    return {"scene": MOTION | {"record": record}}
+
+
+REFUSALS[campaign_of(CHAINS)] = [
+    (gammas([]), "axes.gamma is empty"),
+    (gammas(0.5), "axes.gamma is 0.5 | a list"),
+    (gammas([0.1, 0.3, 0.2]), "gamma has 0.2 after 0.3 | must increase"),
+    (gammas([0.3, 0.3]), "gamma has 0.3 after 0.3"),
+    (gammas({"linspace": [1.0, 0.1, 5]}), "gamma has 0.775 after 1"),
+    (
+        gammas({"linspace": [0.1, 1.0, 2.5]}),
+        "axes.gamma.linspace (entry 3) is 2.5 | a whole number",
+    ),
+    (gammas({"linspace": [0.1, 1.0]}), "has 2 entries: list 3 (start, stop, count)"),
+    (gammas({"logspace": [0.0, 1, 5]}), "axes.gamma.logspace (entry 1) is 0.0 | above 0"),
+    (gammas({}), "axes.gamma has no spacing | linspace or logspace"),
+    (gammas([0.1, float("inf")]), "axes.gamma (entry 2) is inf"),
+    (gammas([1.0], gama=[1.0]), "gama is no key | did you mean gamma"),
+    (gammas([-0.2, -0.1, 1.0]), "gamma (entry 1) is -0.2 | give 0 or more"),
+    (gammas([1.0], alpha=[1.0, 1.5]), "alpha is given under axes and under fixed"),
+    (gammas({"linspace": [0, 1, 10**10]}), "10,000,000,000 points\n10000000000 | GiB"),
+    (gammas({"linspace": [0, 1, 10**6 + 1]}), "1,000,001 points | 1,000,000 | allow_large"),
+    (fixed(alpha=1.0) | gammas([1.0]), "delta is given under axes and under fixed"),
+    ({"fixed": {"alpha": 1.0, "beads": 30}}, "alpha is 1.0, but must be above 1"),
+    ({"fixed": {"alpha": 1.5, "beads": 30.5}}, "beads is 30.5 | a whole number"),
+    ({"fixed": {"alpha": 1.5, "beads": 10**9}}, "beads is 1000000000 | 477 GiB"),
+    ({"fixed": {"alpha": 1.5}}, "beads is missing | number of beads N"),
+    ({"axes": {"beads": {"linspace": [20, 41, 3]}}}, "beads is given under axes and"),
+    ({"record": {"scalars": ["speed"]}}, "(entry 1) is 'speed' | front_speed"),
+    (profile(3, 1, 2), "record.profile.start is 3 | stop 1"),
+    (profile(1, 7.5, 8), "there are 7 beads"),
+    (profile(1, 1e9, 10**9), "record.profile.count is 1000000000 | 100000 or less"),
+    ({"kind": "frnt"}, 'kind is "frnt" | chain or front or motion or ring'),
+    ({"colour": 1}, "colour is no key"),
+    ({"start": {"profile": "pulse"}}, "start is given, but kind chain has none"),
+    (rates(1.0, gamma=[1.0]), "law.elastic.rate is no key"),
+]
+REFUSALS[campaign_of(CHAINS_OF_A_LAW)] = [
+    ({"law": {"elastic": {"kind": "tode"}}}, "'tode' is no kind of elastic potential"),
+    ({"law": {"viscous": {"kind": "none"}}}, "law.elastic is missing"),
+    ({"law": TODA | {"elastic": {"kind": "toda", "rate": "2"}}}, "law.elastic.rate is"),
+    (rates(-1.0, 1.0), "rate is -1.0 | above 0"),
+    (rates(1.0, **{"law.elastic.rat": [1.0]}), "'rat' is no parameter of toda"),
+    (rates(1.0, alpha=[1.5]), "alpha is no key"),
+    (
+        rates(1.0, **{"law.viscous.gamma": [1]}) | {"law": BARE},
+        "law.viscous.kind is missing",
+    ),
+]
+REFUSALS[campaign_of(RINGS)] = [
+    (fixed(RINGS, mu=2), "damping and mu: keep one"),
+    ({"fixed": PULSE}, "exactly one of gamma | have none"),
+    (fixed(RINGS, half_beads=80), "half_beads and half_length: keep one"),
+    ({"axes": {"alpha": [1e6], "slow_time": [1]}}, "alpha (entry 1) is | 10 or less"),
+    (fixed(RINGS, half_width=1e-6), "half_width is 1e-06 | 0.01 or more"),
+    ({"start": {"profile": "given"}}, "start has profile given, but rescaled_force"),
+    ({"start": ...}, "start is missing, but kind ring needs one"),
+    (listed(1, 1, 2, 1, 3), "start.rescaled_force begins with 1 and ends with 3"),
+    (listed(0, 0, 0, 0, 0), "start.rescaled_force has one value"),
+    (listed(1, 2, 3, 2, 1) | fixed(RINGS), "half_width is no key\nbase is no key"),
+    ({"law": TODA}, "law is given, but kind ring has none"),
+]
+REFUSALS[campaign_of(RATIOS)] = [
+    ({"axes": {"start.velocty": [1.0]}}, "start.velocty | did you mean start.velocity"),
+    ({"axes": {"start.velocity": [0.0, 1.0]}}, "start.velocity is 0,"),
+    ({"axes": {"beads.count": [20, 20.5]}}, "beads.count is 20.5"),
+    ({"axes": {"beads.mass.cell.2": [-1.0, 1.0]}}, "beads.mass.cell (entry 2) is -1,"),
+    ({"tolerance": 1e-8}, "tolerance is given, but kind motion has none"),
+    ({"fixed": {"beads": 30}}, "fixed is given, but kind motion has none"),
+    (sensors({}), "sensors has 0 entries"),
+    (sensors({"a": 3}), "record.sensors.a is 3"),
+    ({"scene": ...}, "scene is missing, but kind motion needs one"),
+]
+
+
+def ring_of(changes):
+    point = {"alpha": 1.2, "delta": 1.0, "damping": 0.5, **PULSE, **changes}
+    make_ring(point, point.pop("start", RINGS["start"]))
+
+
+LOW = {"profile": "given", "rescaled_force": [0.001, 0.001, 1, 1, 0.001, 0.001]}
+REFUSALS[ring_of] = [
+    ({"damping": 0.02, "half_length": 12.5}, "half_width is 2, but beads are ε = 8.33 apart"),
+    ({"damping": 0.1}, "half_length is 8.1, but beads are ε = 1.67 apart"),
+    ({"damping": 1e300}, "gamma c is 1e+300, but rings are followed for 0.001 to 1000"),
+    ({"damping": 1e-9}, "gamma c is 1e-09"),
+    ({"half_width": 9}, "half_width is 9, but half of the ring is"),
+    ({"base": 1.0}, "base is 1"),
+    ({"alpha": 1 + 1e-9}, "half_length is 8.1, which asks for p | above 1e+06"),
+    ({"alpha": 9.0, "delta": 1e300}, "A scale of this ring lies beyond double precision"),
+    ({"alpha": 9.0, "delta": 1e-300}, "A scale of this ring lies beyond double precision"),
+    ({"start": LOW}, "rescaled_force passes through"),
+]
+
+
+# Files.
+
+
+def file_of(content):
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / "mine.yaml"
+        if content:
+            file.write_bytes(content if isinstance(content, bytes) else content.encode())
+        load_configuration(DEFAULT, file)
+
+
+REFUSALS[file_of] = [
+    ("a: b: c", "mine.yaml, line 1, column 5"),
+    ("a: 1\nb: {c: 1, d: 2, c: 3}", "mine.yaml, line 2, column 17 | the key c is given twice"),
+    ("[1, 2]", "holds no mapping"),
+    ("a: \x00", "is no YAML"),
+    ("a: 2026-13-45", "month must be in 1..12"),
+    ("__use_yte__: true\na: ?1 + 1", "__use_yte__"),
+    (None, "mine.yaml cannot be read"),
+    ("a: 1".encode("utf-16"), "cannot be read | UTF-8"),
+    (b" " * (LONGEST_FILE + 1), "64 MiB"),
+]
 
 
 @pytest.mark.parametrize(

@@ -4,16 +4,11 @@ import json
 
 import numpy as np
 import pytest
-from configurations import assert_refused
 
 from campaigns import (
     CHAINS,
     CHAINS_OF_A_LAW,
-    PULSE,
-    RATIOS,
-    RINGS,
     ROOT,
-    SCENE,
     TODA,
     all_chunks,
     campaign,
@@ -35,131 +30,6 @@ def test_spacings_are_those_of_numpy_and_meet_refined_ones_to_the_last_bit(spaci
     assert Spacing(**{spacing: (0.5, 1.7, 1)}).values() == [0.5]
     listed = campaign(axes={"gamma": [0.1234567890123456], "delta": [1]})
     assert listed.grid["gamma"] == (0.1234567890123456,)
-
-
-def gammas(values, **axes):
-    return {"axes": {"delta": [1.0], "gamma": values, **axes}}
-
-
-def fixed(given=CHAINS, **changes):
-    return {"fixed": {**given["fixed"], "delta": 1.0, **changes}}
-
-
-def profile(start, stop, count):
-    return {"record": {"profile": {"start": start, "stop": stop, "count": count}}}
-
-
-def listed(*force):
-    bare = {"damping": 0.5, "half_length": 8.1}
-    return {"start": {"profile": "given", "rescaled_force": [*force]}, "fixed": bare}
-
-
-BARE = {"elastic": {"kind": "toda"}, "viscous": None}
-
-
-def rates(*values, **axes):
-    return {"axes": {"law.elastic.rate": [*values], "delta": [1.0], **axes}}
-
-
-def sensors(value):
-    record = {"snapshots": [], "sensors": value}
-    return {"scene": SCENE | {"record": record}}
-
-
-REFUSED = {
-    "chain": (
-        CHAINS,
-        [
-            (gammas([]), "axes.gamma is empty"),
-            (gammas(0.5), "axes.gamma is 0.5 | a list"),
-            (gammas([0.1, 0.3, 0.2]), "gamma has 0.2 after 0.3 | must increase"),
-            (gammas([0.3, 0.3]), "gamma has 0.3 after 0.3"),
-            (gammas({"linspace": [1.0, 0.1, 5]}), "gamma has 0.775 after 1"),
-            (
-                gammas({"linspace": [0.1, 1.0, 2.5]}),
-                "axes.gamma.linspace (entry 3) is 2.5 | a whole number",
-            ),
-            (gammas({"linspace": [0.1, 1.0]}), "has 2 entries: list 3 (start, stop, count)"),
-            (gammas({"logspace": [0.0, 1, 5]}), "axes.gamma.logspace (entry 1) is 0.0 | above 0"),
-            (gammas({}), "axes.gamma has no spacing | linspace or logspace"),
-            (gammas([0.1, float("inf")]), "axes.gamma (entry 2) is inf"),
-            (gammas([1.0], gama=[1.0]), "gama is no key | did you mean gamma"),
-            (gammas([-0.2, -0.1, 1.0]), "gamma (entry 1) is -0.2 | give 0 or more"),
-            (gammas([1.0], alpha=[1.0, 1.5]), "alpha is given under axes and under fixed"),
-            (gammas({"linspace": [0, 1, 10**10]}), "10,000,000,000 points\n10000000000 | GiB"),
-            (gammas({"linspace": [0, 1, 10**6 + 1]}), "1,000,001 points | 1,000,000 | allow_large"),
-            (fixed(alpha=1.0) | gammas([1.0]), "delta is given under axes and under fixed"),
-            ({"fixed": {"alpha": 1.0, "beads": 30}}, "alpha is 1.0, but must be above 1"),
-            ({"fixed": {"alpha": 1.5, "beads": 30.5}}, "beads is 30.5 | a whole number"),
-            ({"fixed": {"alpha": 1.5, "beads": 10**9}}, "beads is 1000000000 | 477 GiB"),
-            ({"fixed": {"alpha": 1.5}}, "beads is missing | number of beads N"),
-            ({"axes": {"beads": {"linspace": [20, 41, 3]}}}, "beads is given under axes and"),
-            ({"record": {"scalars": ["speed"]}}, "(entry 1) is 'speed' | front_speed"),
-            (profile(3, 1, 2), "record.profile.start is 3 | stop 1"),
-            (profile(1, 7.5, 8), "there are 7 beads"),
-            (profile(1, 1e9, 10**9), "record.profile.count is 1000000000 | 100000 or less"),
-            ({"kind": "frnt"}, 'kind is "frnt" | chain or front or motion or ring'),
-            ({"colour": 1}, "colour is no key"),
-            ({"start": {"profile": "pulse"}}, "start is given, but kind chain has none"),
-            (rates(1.0, gamma=[1.0]), "law.elastic.rate is no key"),
-        ],
-    ),
-    "law": (
-        CHAINS_OF_A_LAW,
-        [
-            ({"law": {"elastic": {"kind": "tode"}}}, "'tode' is no kind of elastic potential"),
-            ({"law": {"viscous": {"kind": "none"}}}, "law.elastic is missing"),
-            ({"law": TODA | {"elastic": {"kind": "toda", "rate": "2"}}}, "law.elastic.rate is"),
-            (rates(-1.0, 1.0), "rate is -1.0 | above 0"),
-            (rates(1.0, **{"law.elastic.rat": [1.0]}), "'rat' is no parameter of toda"),
-            (rates(1.0, alpha=[1.5]), "alpha is no key"),
-            (
-                rates(1.0, **{"law.viscous.gamma": [1]}) | {"law": BARE},
-                "law.viscous.kind is missing",
-            ),
-        ],
-    ),
-    "ring": (
-        RINGS,
-        [
-            (fixed(RINGS, mu=2), "damping and mu: keep one"),
-            ({"fixed": PULSE}, "exactly one of gamma | have none"),
-            (fixed(RINGS, half_beads=80), "half_beads and half_length: keep one"),
-            ({"axes": {"alpha": [1e6], "slow_time": [1]}}, "alpha (entry 1) is | 10 or less"),
-            (fixed(RINGS, half_width=1e-6), "half_width is 1e-06 | 0.01 or more"),
-            ({"start": {"profile": "given"}}, "start has profile given, but rescaled_force"),
-            ({"start": ...}, "start is missing, but kind ring needs one"),
-            (listed(1, 1, 2, 1, 3), "start.rescaled_force begins with 1 and ends with 3"),
-            (listed(0, 0, 0, 0, 0), "start.rescaled_force has one value"),
-            (listed(1, 2, 3, 2, 1) | fixed(RINGS), "half_width is no key\nbase is no key"),
-            ({"law": TODA}, "law is given, but kind ring has none"),
-        ],
-    ),
-    "motion": (
-        RATIOS,
-        [
-            ({"axes": {"start.velocty": [1.0]}}, "start.velocty | did you mean start.velocity"),
-            ({"axes": {"start.velocity": [0.0, 1.0]}}, "start.velocity is 0,"),
-            ({"axes": {"beads.count": [20, 20.5]}}, "beads.count is 20.5"),
-            ({"axes": {"beads.mass.cell.2": [-1.0, 1.0]}}, "beads.mass.cell (entry 2) is -1,"),
-            ({"tolerance": 1e-8}, "tolerance is given, but kind motion has none"),
-            ({"fixed": {"beads": 30}}, "fixed is given, but kind motion has none"),
-            (sensors({}), "sensors has 0 entries"),
-            (sensors({"a": 3}), "record.sensors.a is 3"),
-            ({"scene": ...}, "scene is missing, but kind motion needs one"),
-        ],
-    ),
-}
-
-
-@pytest.mark.parametrize("kind", REFUSED)
-def test_impossible_campaign_is_refused(kind):
-    given, rows = REFUSED[kind]
-    for changes, words in rows:
-        with pytest.raises(InputError) as caught:
-            campaign(given, **changes)
-        assert str(caught.value).startswith("Campaign mine: ")
-        assert_refused(str(caught.value), words)
 
 
 def test_campaign_that_is_large_on_purpose_is_accepted():

@@ -8,9 +8,8 @@ from pathlib import Path
 import pytest
 from configurations import DEFAULT, ROOT, SMOKE, assert_refused
 
-from granular_fronts.errors import InputError
 from granular_fronts.scenes.configuration import check_configuration, folder_errors
-from granular_fronts.scenes.yaml_files import LONGEST_FILE, load_configuration, merge, parse_yaml
+from granular_fronts.scenes.yaml_files import load_configuration, merge, parse_yaml
 
 
 def test_shipped_files_are_accepted_and_smoke_changes_values_but_not_what_is_drawn(default):
@@ -89,30 +88,6 @@ def test_folder_that_is_not_writable_is_refused_where_something_is_written(monke
     [sentence] = folder_errors(str(tmp_path / "new" / "results"))
     assert f"nothing can be written into {tmp_path}" in sentence
     assert not [*folder_errors(str(tmp_path / "new" / "results"), writes=False)]
-
-
-YAML_REFUSED = [
-    ("a: b: c", ", line 1, column 5"),
-    ("a: 1\nb: {c: 1, d: 2, c: 3}", ", line 2, column 17 | the key c is given twice"),
-    ("[1, 2]", "holds no mapping"),
-    ("a: \x00", "is no YAML"),
-    ("a: 2026-13-45", "month must be in 1..12"),
-    ("__use_yte__: true\na: ?1 + 1", "__use_yte__"),
-    (None, "cannot be read"),
-    ("a: 1".encode("utf-16"), "cannot be read | UTF-8"),
-    (b" " * (LONGEST_FILE + 1), "64 MiB"),
-]
-
-
-@pytest.mark.parametrize(("content", "words"), YAML_REFUSED, ids=[row[1] for row in YAML_REFUSED])
-def test_wrong_file_is_refused_with_the_place_of_its_mistake(tmp_path, content, words):
-    file = tmp_path / "mine.yaml"
-    if content:
-        file.write_bytes(content if isinstance(content, bytes) else content.encode())
-    with pytest.raises(InputError) as caught:
-        load_configuration(DEFAULT, file)
-    assert str(caught.value).startswith(str(file))
-    assert_refused(str(caught.value), words)
 
 
 def test_merged_keys_may_be_overridden():
