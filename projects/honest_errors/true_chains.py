@@ -180,13 +180,13 @@ def _events(scene: Scene, data: xr.Dataset, motion: Motion) -> Scene:
     turns, opened = motion.passages(), motion.passages(0.0)
     true: Scene = {}
     opens = (opened.direction < 0) & (np.abs(opened.rate) > 1e-15 * motion.size)
-    parted, contacts = _parted(motion)
+    parted, contacts, part_at = _parted(motion)
     times = np.concatenate([opened.time[opens], parted])
     beads = np.concatenate([opened.contact[opens], contacts]) + 1
+    rates = np.concatenate([opened.rate[opens], part_at])
     first = np.lexsort((np.abs(beads - data["first_gap_bead"].item()), times))[:1]
-    true["first_gap_time"], true["first_gap_bead"] = (
-        of[first[0]] if first.size else np.nan for of in (times, beads)
-    )
+    for part, of in (("time", times), ("bead", beads), ("velocity", rates)):
+        true[f"first_gap_{part}"] = of[first[0]] if first.size else np.nan
     ends = motion.states([0.0, scene["end_time"]])[0]
     contact = np.concatenate([turns.contact, np.tile(np.arange(ends.shape[1]), 2)])
     time = np.concatenate([turns.time, np.repeat([0.0, scene["end_time"]], ends.shape[1])])
@@ -207,8 +207,11 @@ def _events(scene: Scene, data: xr.Dataset, motion: Motion) -> Scene:
     return true
 
 
-def _parted(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
-    """Return times and contacts that part from touch, at the start or a break of the drive."""
+def _parted(motion: Motion) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return times and contacts that part from touch, at the start or a break of the drive.
+
+    The third array has the rates at which they part, NaN from rest.
+    """
     starts = np.array([step.start for step in motion.steps])
     u = motion.compression(np.array([step.state for step in motion.steps]))
     moved = np.abs(u) > PARTED * motion.size
@@ -217,7 +220,10 @@ def _parted(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     contacts = np.flatnonzero(parts)
     breaks = motion.pieces[0] if motion.driven else np.zeros(1)
     before = np.searchsorted(breaks, starts[row[contacts] - 1], side="right") - 1
-    return breaks[before], contacts
+    times = breaks[before]
+    velocity = np.pad(motion.states(times)[1], ((0, 0), (0, 1)))
+    rates = (velocity - np.roll(velocity, -1, axis=1))[np.arange(contacts.size), contacts]
+    return times, contacts, np.where(rates < -PARTED * motion.size, rates, np.nan)
 
 
 def _arrivals(scene: Scene, motion: Motion, turns: Passages, start: np.ndarray) -> Scene:

@@ -164,8 +164,8 @@ def _near(times, errors, time):
 
 
 def _of_first_opening(samples, deepest, own, other, found, refined):
-    """Return the errors of time and bead of the first opening; infinite if it is uncertain."""
-    names = ("first_gap_time", "first_gap_bead")
+    """Return the errors of the first opening, those of all contacts; infinite if uncertain."""
+    names = ("first_gap_time", "first_gap_bead", "first_gap_velocity")
     if np.isnan(found["first_gap_time"]):
         return dict.fromkeys(names, np.nan)
     if np.isnan(refined["first_gap_time"]):
@@ -179,10 +179,16 @@ def _of_first_opening(samples, deepest, own, other, found, refined):
     through = of_u / own[STEEPNESS, first]
     error = np.fmax(_error_of_passage(samples, own, other)[first], through)
     rivals = np.flatnonzero(own[TIME] <= found["first_gap_time"] + 2.0 * error)
+    of_rate = _of_several(
+        np.abs(own[STEEPNESS] - other[STEEPNESS]),
+        _near(samples.time, samples.of_rate, own[TIME]),
+        own[TIME],
+    )[first]
+    beads = 1.0 + np.arange(own[TIME].size)
     return {
         name: max([least, abs(found[name] - refined[name]), *abs(values[rivals] - found[name])])
         for name, least, values in zip(
-            names, (error, 0.0), (own[TIME], 1.0 + np.arange(own[TIME].size)), strict=True
+            names, (error, 0.0, of_rate), (own[TIME], beads, -own[STEEPNESS]), strict=True
         )
     }
 

@@ -9,7 +9,10 @@ Variables of the dataset (names and units are given once, in `granular_fronts.ou
   reductions `mean_relative_displacement`, `total_velocity` on (t_grid);
 - located events: `arrival_time`, `first_peak`, `first_peak_time` on (bead), `front_speed`;
   `largest_relative_displacement`, `smallest_relative_displacement`, `first_gap`, each with its
-  time and bead.
+  time and bead; `first_gap_velocity`, u̇ of the contact that opens first, NaN if it parts from rest.
+
+A contact opens where u returns to 0, James (2021), remark 6.  Shortly before a damped one pulls.
+The force has a kink there, so that u̇ of the opening is less exact than the velocities after it.
 
 Attributes.  `contacts` is how many contacts move: N − 1, or N on a ring and before a wall.
 `contacts_open` is 1 where the law lets contacts open, since no force holds extended ones, else 0.
@@ -243,6 +246,7 @@ def extremes_of_all(recording, contacts):
     variables = {
         "first_gap_time": opening[first],
         "first_gap_bead": first + 1.0 if opens else np.nan,
+        "first_gap_velocity": -recording.opening[STEEPNESS, 1 + first],
     }
     rounding = rounding_of(recording, contacts)
     for kind, side in (("largest", 1.0), ("smallest", -1.0)):
