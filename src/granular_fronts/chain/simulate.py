@@ -181,7 +181,8 @@ def _error_of_sum(scene, own, other, name):
         error += scene.end_time * rounding_floor(own.values("velocity_grid"))
         if not isinstance(scene.boundary, Periodic):
             # The mean belongs to x_1 - x_N; the neighbours of these beads give further samples.
-            difference = (other.values(TERMS[name]) - own.values(TERMS[name]))[:, :-1]
+            difference = other.values(TERMS[name]) - own.values(TERMS[name])
+            difference = difference[:, : own.attributes["contacts"]]
             total = difference.sum(axis=1)
             ends = (total, total - difference[:, 0], total - difference[:, -1])
             error += np.abs(ends).max() / scene.beads.count

@@ -205,7 +205,7 @@ Wall = Annotated[str, AfterValidator(_wall)]
 class Beads(Part):
     """Beads, with masses or of materials; a number is their count."""
 
-    count: Annotated[Whole, Field(ge=2)] = Field(description="Number N of beads.")
+    count: Annotated[Whole, Field(ge=1)] = Field(description="Number N of beads.")
     mass: Annotated[Masses, _number_for_all(Positive | Masses)] = Field(
         Masses(), description="Masses m_n along the chain, a number or a pattern; 1 by default."
     )
@@ -255,7 +255,7 @@ class Beads(Part):
         return Pattern(list=factors[:contacts])
 
 
-CountOrBeads = Annotated[Beads, or_number("count", Annotated[int, Field(ge=2)] | Beads)]
+CountOrBeads = Annotated[Beads, or_number("count", Annotated[int, Field(ge=1)] | Beads)]
 
 
 class Contacts(Part):

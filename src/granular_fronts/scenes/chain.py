@@ -197,7 +197,7 @@ class Striker(Part):
     """Equilibrium with the first beads moving."""
 
     kind: Literal["striker"]
-    beads: Place = Field(description="Number k of beads that move, below N.")
+    beads: Place = Field(description="Number k of beads that move: below N, or to N before a wall.")
     velocity: float = Field(description="Velocity of these beads, not 0.")
 
     def problems(self) -> Iterator[str]:
@@ -296,7 +296,8 @@ class Record(Part):
     )
     extremes: bool = Field(
         False,
-        description="Whether largest force, first gap and smallest u are located.",
+        description="Whether largest force, first gap and smallest u are located.  A contact opens "
+        "where u returns to 0, although the force of a damped one pulls shortly before.",
     )
     balances: bool = Field(
         False, description="Whether the energy balance is integrated with the motion."
@@ -360,7 +361,8 @@ class Chain(Scene):
         "and (28); with elastic and viscous it has two potentials, equation (5)."
     )
     beads: CountOrBeads = Field(
-        description="Number N of beads of mass 1, or their count with masses or materials."
+        description="Number N of beads of mass 1, or their count with masses or materials; a "
+        "single one before a wall."
     )
     contacts: Contacts = Contacts()
     gravity: float = Field(0.0, description="Body force over mass, towards the right end.")
@@ -429,6 +431,7 @@ class Chain(Scene):
     def problems(self) -> Iterator[str]:
         """What ties parts together, in levels: each relies on those before."""
         for level in (
+            self._contacts_move,
             lambda: energy_problems(self.law, self.size),
             lambda: memory_problems(self.held()),
             self._relations,
@@ -437,6 +440,15 @@ class Chain(Scene):
             if found:
                 yield from found
                 return
+
+    def _contacts_move(self) -> Iterator[str]:
+        """A single bead touches a wall."""
+        if self.beads.count == 1 and not isinstance(self.boundary, WallBehind):
+            key = "beads" if self.beads.are_equal else "beads.count"
+            yield (
+                f"{key} is 1, but boundary.kind is {self.boundary.kind}, where a single bead "
+                "touches nothing: take a wall, or 2 or more beads."
+            )
 
     def _relations(self) -> Iterator[str]:
         yield from tolerance_problems(self.tolerance.absolute, self.size)
@@ -458,10 +470,12 @@ class Chain(Scene):
                 f"start.kind is {start.kind}, but nothing sets a ring in motion: use kind given, "
                 "with relative_displacement and velocity."
             )
-        if isinstance(start, Striker) and start.beads >= beads:
+        # Before a wall all of them hit.
+        most = beads if isinstance(boundary, WallBehind) else beads - 1
+        if isinstance(start, Striker) and start.beads > most:
             yield (
-                f"start.beads is {start.beads}, but the chain has {beads} beads: give {beads - 1} "
-                "or fewer."
+                f"start.beads is {start.beads}, but the chain has {beads} beads: give {most} or "
+                "fewer."
             )
         if not isinstance(start, Given):
             return
