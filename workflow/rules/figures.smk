@@ -212,15 +212,15 @@ rule exact_fronts:
 
 
 rule fronts_compared:
-    """Exact fronts, the driven chain and continuum fronts, a row for each scene."""
+    """Exact fronts, the driven chain and continuum fronts, of two scenes."""
     input:
-        scenes=data(*datasets_of("front")),
+        scenes=data("fronts/overdamped", "fronts/underdamped"),
         texts="workflow/captions/fronts_compared.rst",
     output:
         **figure("fronts_compared"),
     params:
         code=code("fronts_compared", "shoot_front"),
-        shown=shown(*datasets_of("front")),
+        shown=shown("fronts/overdamped", "fronts/underdamped"),
     log:
         "<logs>/fronts_compared.log",
     benchmark:

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
+from matplotlib.ticker import MaxNLocator
 
 from granular_fronts.accuracy import certain_sign
 from granular_fronts.output.style import compression_map, velocity_map
@@ -46,7 +47,6 @@ def label_peaks(axes: Axes) -> None:
             xytext=(0, 3),
             textcoords="offset points",
             ha="center",
-            fontsize=7,
             color=line.get_color(),
         )
 
@@ -56,7 +56,8 @@ def draw_spacetime(
 ) -> None:
     """Colour the (n, t) plane by a field on (t_grid, bead), bead across and time upwards.
 
-    With limits that are centred on 0 contacts at rest are white; wider gaps have one red.
+    With limits that are centred on 0 contacts at rest are white; wider gaps have one red.  Of the
+    colours the scale above shows those that occur.
     """
     image = axes.pcolormesh(
         values["bead"],
@@ -70,9 +71,16 @@ def draw_spacetime(
     )
     axes.set(xlabel=BEAD, ylabel=TIME)
     extend = "min" if float(values.min()) < limits[0] else "neither"
-    axes.figure.colorbar(
-        image, ax=axes, location="top", extend=extend, label=FIELD_LABELS[field], aspect=30
+    bar = axes.figure.colorbar(
+        image,
+        ax=axes,
+        location="top",
+        extend=extend,
+        label=FIELD_LABELS[field],
+        aspect=30,
+        ticks=MaxNLocator(5),
     )
+    bar.ax.set_xlim(max(limits[0], float(values.min())), min(limits[1], float(values.max())))
 
 
 def name_waves(axes: Axes, arrivals: xr.DataArray) -> None:
@@ -81,10 +89,10 @@ def name_waves(axes: Axes, arrivals: xr.DataArray) -> None:
     edge = [withStroke(linewidth=2, foreground="white")]
     if np.isnan(arrivals[-2]):
         return  # The front has not crossed the chain.
-    axes.text(0.56 * last, 0.4 * arrival, "front", fontsize=8, path_effects=edge)
+    axes.text(0.56 * last, 0.4 * arrival, "front", path_effects=edge)
     if 1.3 * arrival < end:
-        axes.text(0.1 * last, 1.3 * arrival, "reflected wave", fontsize=8, path_effects=edge)
-    axes.text(0.62 * last, 0.15 * arrival, "at rest", fontsize=8, color="0.5")
+        axes.text(0.1 * last, 1.3 * arrival, "reflected wave", path_effects=edge)
+    axes.text(0.62 * last, 0.15 * arrival, "at rest", color="0.5")
 
 
 def draw_profile(axes: Axes, front: xr.Dataset, **look: Any) -> None:
@@ -95,7 +103,7 @@ def draw_profile(axes: Axes, front: xr.Dataset, **look: Any) -> None:
 
 def draw_snapshot(axes: Axes, values: xr.DataArray, field: str, **look: Any) -> None:
     """A field on (bead) at one time, a dot for each bead on a thin line of some look."""
-    dots: dict[str, Any] = {"marker": ".", "linestyle": "-", "markersize": 2.5, "linewidth": 0.6}
+    dots: dict[str, Any] = {"marker": ".", "linestyle": "-", "markersize": 2, "linewidth": 0.5}
     axes.plot(values["bead"], values, **dots | look)
     axes.set(xlabel=BEAD, ylabel=FIELD_LABELS[field], xlim=(0, int(values["bead"][-1])))
 

@@ -140,7 +140,7 @@ def chain(motion: xr.Dataset, ax: Sequence[Axes] | None = None) -> tuple[Axes, A
     fields, opens = moving_parts(motion), contacts_open(motion)
     u = fields["relative_displacement"]
     with looks_of_figures():
-        panels = dict(zip(fields, _pair(ax, 2.7), strict=True))
+        panels = dict(zip(fields, _pair(ax, 2.2), strict=True))
         compression, velocity = panels.values()
         marks = []
         for row, time in enumerate(motion["t"].values):
@@ -197,7 +197,7 @@ def space_time(motion: xr.Dataset, ax: Sequence[Axes] | None = None) -> tuple[Ax
     u, velocity = moving_parts(_on_grid(motion), "_grid").values()
     largest = float(u.max() if contacts_open(motion) else np.abs(u).max())
     with looks_of_figures():
-        left, right = _pair(ax, 4.4)
+        left, right = _pair(ax, 3.4)
         draw_spacetime(left, u, "relative_displacement", (-largest, largest))
         limits = min(0.0, float(velocity.min())), float(velocity.max())
         draw_spacetime(right, velocity, "velocity", limits)
@@ -206,7 +206,7 @@ def space_time(motion: xr.Dataset, ax: Sequence[Axes] | None = None) -> tuple[Ax
 
 def _new_axes() -> Axes:
     """The one panel of a new figure that a notebook shows."""
-    _, panels = new_panels(2.8, [["panel"]], plt.figure)
+    _, panels = new_panels(2.2, [["panel"]], plt.figure)
     return panels["panel"]
 
 

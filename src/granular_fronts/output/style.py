@@ -8,7 +8,6 @@ curves stay apart in grey print and for colour-blind readers.
 import logging
 from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
-from functools import partial
 from pathlib import Path
 from string import ascii_lowercase
 from typing import Any, NamedTuple
@@ -23,7 +22,8 @@ from matplotlib.rcsetup import cycler
 
 from granular_fronts.output.files import complete_file
 
-TEXT_WIDTH = 6.9
+# In inches: 8.5 cm of a column of text, and 17.5 cm of a page.
+COLUMN_WIDTH, PAGE_WIDTH = 8.5 / 2.54, 17.5 / 2.54
 DOTS_PER_INCH = 200
 PROBE_COLOURS = (
     "#000000",
@@ -61,7 +61,7 @@ LOOKS = {
     "double_root": Look("slowest tail roots merge", GREEN, DASH_DOTTED),
     "long_wave": Look("long-wave limit, μ = 2", BLUE, DASHED),
     "overshoot": Look("overshoot too small to see", MAGENTA, DOTTED),
-    "second_peak_leads": Look("second maximum the higher", BROWN, DASHED),
+    "second_peak_leads": Look("second maximum higher", BROWN, DASHED),
     "first_peak_stays_below": Look("first maximum below $\\delta$", BROWN, "-"),
 }
 CONTINUUM_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "heteroclinic")}
@@ -74,21 +74,39 @@ EXPONENT_LOOKS = ((BLUE, DASHED), (GREEN, DASH_DOTTED))
 # The font subsetter remarks on the fixed dates that make PDF files reproducible.
 logging.getLogger("fontTools").setLevel(logging.ERROR)
 
+# Letters of 7 points, and lines and marks in proportion, because figures are printed at their size.
 _SETTINGS: dict[Any, Any] = {
     "figure.constrained_layout.use": True,
-    "font.size": 9,
-    "axes.titlesize": 9,
-    "axes.labelsize": 9,
+    "font.size": 7,
+    "axes.titlesize": 7,
+    "axes.titlepad": 4,
+    "axes.labelsize": 7,
+    "axes.labelpad": 3,
+    "axes.linewidth": 0.5,
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.prop_cycle": cycler(color=PROBE_COLOURS, linestyle=PROBE_STYLES),
-    "lines.linewidth": 1.2,
+    "lines.linewidth": 0.9,
+    "lines.markersize": 3,
+    "lines.markeredgewidth": 0.6,
     "legend.frameon": False,
-    "legend.fontsize": 8,
-    "legend.handlelength": 3.0,
+    "legend.fontsize": 7,
+    "legend.handlelength": 2.5,
+    "legend.columnspacing": 1.4,
     "pdf.fonttype": 42,
     "mathtext.fontset": "dejavusans",
     "image.interpolation": "nearest",
+} | {
+    f"{axis}tick.{name}": value
+    for axis in "xy"
+    for name, value in (
+        ("labelsize", 7),
+        ("major.size", 2.5),
+        ("major.width", 0.5),
+        ("major.pad", 2),
+        ("minor.size", 1.5),
+        ("minor.width", 0.4),
+    )
 }
 
 
@@ -107,20 +125,23 @@ def looks_of_figures() -> Iterator[None]:
 
 
 def new_panels(
-    height: float, mosaic: list[Any], make: Callable[..., Figure]
+    height: float, mosaic: list[Any], make: Callable[..., Figure], **shared: Any
 ) -> tuple[Figure, dict[str, Axes]]:
-    """Make a figure of text width, with a height in inches, and a mosaic of named panels.
+    """Make a figure, with a height in inches, of a mosaic of named panels.
 
-    It is made by `matplotlib.pyplot.figure` where a notebook shows it.
+    Panels below each other have the width of a column of text, others that of a page.  `shared` is
+    whether all have the same axes, `sharex` or `sharey`.
+    The figure is made by `matplotlib.pyplot.figure` where a notebook shows it.
     """
     matplotlib.rcParams.update(_SETTINGS)
-    figure = make(figsize=(TEXT_WIDTH, height))
-    return figure, figure.subplot_mosaic(mosaic)
+    width = PAGE_WIDTH if any(len(row) > 1 for row in mosaic) else COLUMN_WIDTH
+    figure = make(figsize=(width, height), dpi=DOTS_PER_INCH)
+    return figure, figure.subplot_mosaic(mosaic, **shared)
 
 
-def new_figure(height: float, mosaic: list[Any]) -> tuple[Figure, dict[str, Axes]]:
+def new_figure(height: float, mosaic: list[Any], **shared: Any) -> tuple[Figure, dict[str, Axes]]:
     """The same for a file: several panels have the letters (a), (b), … that its caption uses."""
-    figure, panels = new_panels(height, mosaic, partial(Figure, dpi=DOTS_PER_INCH))
+    figure, panels = new_panels(height, mosaic, Figure, **shared)
     if len(panels) > 1:
         for letter, axes in zip(ascii_lowercase, panels.values(), strict=False):
             axes.set_title(f"({letter})", loc="left", fontweight="bold")

@@ -29,7 +29,7 @@ def continuum_errors(data: xr.Dataset) -> Figure:
     """
     names = [f"{alpha:g}" for alpha in data["alpha"].values]
     rows = fill_rows(names, COLUMNS)
-    figure, panels = new_figure(2.4 * len(rows), rows)
+    figure, panels = new_figure(1.9 * len(rows), rows)
     for row in rows:
         drawn = [panels[name] for name in row if name != "."]
         for axes in drawn[1:]:
@@ -41,9 +41,9 @@ def continuum_errors(data: xr.Dataset) -> Figure:
         _draw_errors(panels[name], data.sel(alpha=alpha))
     _name_curves(panels[names[0]], data.isel(alpha=0))
     last = panels[names[-1]]
-    look: dict[str, Any] = {"rotation": 90, "ha": "right", "fontsize": 7, "color": "0.4"}
+    look: dict[str, Any] = {"ha": "right", "color": "0.4"}
     place = float(data["critical_damping"][-1]), 0.03
-    last.text(*place, "tail stops oscillating", transform=last.get_xaxis_transform(), **look)
+    last.text(*place, "tail stops \noscillating ", transform=last.get_xaxis_transform(), **look)
     return figure
 
 
@@ -51,7 +51,7 @@ def _draw_errors(axes: Axes, data: xr.Dataset) -> None:
     """Errors of the three fronts for one exponent, and the damping where the tail turns real."""
     for front, look in CONTINUUM_LOOKS.items():
         axes.loglog(data["gamma"], data[f"distance_{front}"], **look._asdict())
-    axes.axvline(float(data["critical_damping"]), color="0.6", linewidth=0.7, linestyle="-")
+    axes.axvline(float(data["critical_damping"]), color="0.6", linewidth=0.5, linestyle="-")
     axes.set_title(rf"$\alpha = {float(data['alpha']):g}$")
 
 
@@ -67,7 +67,6 @@ def _name_curves(axes: Axes, data: xr.Dataset) -> None:
             textcoords="offset points",
             ha=side,
             va="center",
-            fontsize=7,
             color=colour,
         )
 

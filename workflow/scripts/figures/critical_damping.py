@@ -1,5 +1,7 @@
 """Critical damping in its several meanings, over the overshoot of the exact front."""
 
+from typing import Any
+
 import xarray as xr
 from matplotlib import colormaps
 from matplotlib.axes import Axes
@@ -28,27 +30,28 @@ def critical_damping(data: xr.Dataset, materials: xr.Dataset) -> Figure:
     materials : xarray.Dataset
         Beads of remark 6.
     """
-    figure, panels = new_figure(4.4, [["plane"]])
+    figure, panels = new_figure(3.7, [["plane"]])
     axes = panels["plane"]
     _draw_overshoot(axes, data)
     for name in ("tail", "double_root", "long_wave", "overshoot"):
         axes.plot(
             data["alpha"],
             data[f"critical_damping_{name}"],
-            path_effects=[withStroke(linewidth=2.6, foreground="white")],
+            path_effects=[withStroke(linewidth=1.9, foreground="white")],
             **LOOKS[name]._asdict(),
         )
     for name in PEAKS:
-        axes.plot(data["alpha"], data[name], linewidth=0.9, **LOOKS[name]._asdict())
+        axes.plot(data["alpha"], data[name], linewidth=0.7, **LOOKS[name]._asdict())
     _draw_materials(axes, materials)
     exchange = data.attrs["exchange_exponent"]
-    axes.axvline(exchange, color="0.4", linewidth=0.7, linestyle=":")
+    axes.axvline(exchange, color="0.4", linewidth=0.5, linestyle=":")
     axes.text(exchange, 0.95, r" $\alpha^*$", transform=axes.get_xaxis_transform(), va="top")
-    edge = [withStroke(linewidth=2.5, foreground="white")]
+    edge = [withStroke(linewidth=2, foreground="white")]
     for words, place in REGIONS.items():
-        axes.text(*place, words, transform=axes.transAxes, fontsize=10, path_effects=edge)
+        axes.text(*place, words, transform=axes.transAxes, fontsize=8, path_effects=edge)
     axes.set(xlabel=r"exponent $\alpha$ of the contact force", ylabel=r"damping $\gamma c$")
     axes.set(yscale="log", ylim=(data["gamma"][0], data["gamma"][-1]))
+    axes.set(xlim=(1.0, data["alpha"][-1]))
     figure.legend(*axes.get_legend_handles_labels(), loc="outside upper center", ncols=2)
     return figure
 
@@ -64,15 +67,16 @@ def _draw_overshoot(axes: Axes, data: xr.Dataset) -> None:
     for level, upper, lower in zip(levels, curves, edges, strict=True):
         colour = colours.to_rgba(level)
         axes.fill_between(data["alpha"], lower, upper, color=colour, linewidth=0.0)
-    bar = axes.figure.colorbar(colours, ax=axes, label="overshoot of the front", ticks=levels)
-    bar.ax.yaxis.set_major_formatter(lambda value, _: f"{100.0 * value:g} %")
+    look: dict[str, Any] = {"location": "bottom", "aspect": 30, "ticks": levels}
+    bar = axes.figure.colorbar(colours, ax=axes, label="overshoot of the front", **look)
+    bar.ax.xaxis.set_major_formatter(lambda value, _: f"{100.0 * value:g} %")
 
 
 def _draw_materials(axes: Axes, materials: xr.Dataset) -> None:
     """The places of real beads in the plane of exponent and damping."""
-    edge = [withStroke(linewidth=2.5, foreground="white")]
+    edge = [withStroke(linewidth=2, foreground="white")]
     for gamma in materials["gamma_printed"]:
-        axes.plot(ALPHA, gamma, "o", color="black", markeredgecolor="white", markersize=6)
+        axes.plot(ALPHA, gamma, "o", color="black", markeredgecolor="white", markersize=5)
         axes.annotate(
             str(gamma["material"].values),
             (ALPHA, float(gamma)),

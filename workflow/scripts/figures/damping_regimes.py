@@ -24,7 +24,7 @@ def damping_regimes(data: xr.Dataset) -> Figure:
     data : xarray.Dataset
         Damping regimes.
     """
-    figure, panels = new_figure(3.3, [["gamma", "restitution"]])
+    figure, panels = new_figure(4.2, [["gamma"], ["restitution"]])
     alpha = configuration_of(data)["alpha"]
     names = {1.0: "dashpot", alpha: "Kuwabara–Kono", alpha + 1.0: "Simon–Hunt–Crossley"}
     looks = cycle(zip(PROBE_COLOURS, MARKERS, strict=False))
@@ -38,7 +38,6 @@ def damping_regimes(data: xr.Dataset) -> Figure:
             color=colour,
             marker=marker,
             markevery=12,
-            markersize=4,
             label=", ".join(filter(None, [rf"$\beta = {beta:g}$", names.get(beta)])),
         )
     ends = float(data["velocity_ratio"][0]), float(data["velocity_ratio"][-1])
@@ -56,7 +55,7 @@ def damping_regimes(data: xr.Dataset) -> Figure:
         xlim=ends,
         ylim=(0, 1.02),
     )
-    figure.legend(loc="outside upper center", ncols=min(4, data.sizes["beta"]), handlelength=2)
+    figure.legend(loc="outside upper center", ncols=2, handlelength=2)
     return figure
 
 

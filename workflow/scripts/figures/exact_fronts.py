@@ -6,8 +6,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from drawing import write_figure
+from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.panels import draw_profile
-from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
+from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, GREEN, MAGENTA, new_figure
 from job import job
 
 METHODS = {"profile": (EQUATION_COLOUR, "-", "s"), "shooting": (CHAIN_COLOUR, ":", "o")}
@@ -22,13 +23,15 @@ def exact_fronts(underdamped: xr.Dataset, overdamped: xr.Dataset) -> Figure:
         Front scenes of these names.
     """
     scenes = [underdamped, overdamped]
-    rows = [[f"{row} {column}" for column in range(2)] for row in ("u", "difference", "residual")]
-    figure, panels = new_figure(6.4, rows)
-    for column, data in enumerate(scenes):
-        _draw_profiles(panels[f"u {column}"], data)
-        _draw_difference(panels[f"difference {column}"], data)
-        _draw_residuals(panels[f"residual {column}"], data)
+    rows = [[f"{part} {row}" for part in ("u", "difference", "residual")] for row in range(2)]
+    figure, panels = new_figure(3.6, rows)
+    for names, data in zip(rows, scenes, strict=True):
+        profiles, difference, residuals = (panels[name] for name in names)
+        _draw_profiles(profiles, data)
+        _draw_difference(difference, data)
+        _draw_residuals(residuals, data)
     panels["u 0"].legend(loc="lower left")
+    panels["difference 0"].legend(loc="lower left")
     panels["residual 0"].legend(loc="upper right")
     return figure
 
@@ -43,25 +46,23 @@ def _draw_profiles(axes: Axes, data: xr.Dataset) -> None:
         shot[on_beads],
         "o",
         color=METHODS["shooting"][0],
-        markersize=3,
         fillstyle="none",
         label="shooting",
     )
-    law = rf"$\alpha = {data.attrs['alpha']:g}$, $\gamma c = {data.attrs['gamma']:.4g}$"
-    axes.set_title(law)
+    law = configuration_of(data)["law"]
+    axes.set_title(rf"$\alpha = {law['alpha']:g}$, $\gamma = {law['gamma']:g}$")
 
 
 def _draw_difference(axes: Axes, data: xr.Dataset) -> None:
     """Difference of the two methods at every point of shooting."""
-    for field, label, marker in (
-        ("relative_displacement", "compression", "."),
-        ("velocity", "velocity", "x"),
+    for field, label, colour, marker in (
+        ("relative_displacement", "compression", GREEN, "."),
+        ("velocity", "velocity", MAGENTA, "x"),
     ):
         difference = data[f"{field}_difference"]
         xi = difference["xi_shooting"]
-        axes.semilogy(xi, np.abs(difference), marker, markersize=2.5, label=label)
+        axes.semilogy(xi, np.abs(difference), marker, color=colour, markersize=2, label=label)
     axes.set(ylabel="|difference|", xlabel=r"$\xi = n - ct$", ylim=(1e-18, 1e-11))
-    axes.legend(loc="upper right")
 
 
 def _draw_residuals(axes: Axes, data: xr.Dataset) -> None:
@@ -72,7 +73,6 @@ def _draw_residuals(axes: Axes, data: xr.Dataset) -> None:
             residual,
             line,
             marker=marker,
-            markersize=3.5,
             fillstyle="none",
             color=colour,
             label=method,

@@ -18,12 +18,12 @@ def fig01(data: xr.Dataset) -> Figure:
     data : xarray.Dataset
         Scene initiation_underdamped.
     """
-    figure, panels = new_figure(4.8, [["steady", "snapshot"], ["transient", "transient"]])
+    figure, panels = new_figure(3.5, [["steady", "snapshot"], ["transient", "transient"]])
     draw_probes(panels["steady"], data, "steady")
     label_peaks(panels["steady"])
     panels["steady"].set_title("far from the compressed end", pad=12)
     draw_probes(panels["transient"], data, "transient")
-    panels["transient"].legend(loc="lower right")
+    panels["transient"].legend(loc="lower right", ncols=2)
     panels["transient"].set_title("near the compressed end: the front forms")
     _draw_velocities(panels["snapshot"], data)
     return figure

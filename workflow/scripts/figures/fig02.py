@@ -26,11 +26,10 @@ def fig02(data: xr.Dataset) -> Figure:
     """
     clip = WIDEST * configuration_of(data)["boundary"]["left"]
     velocity = data["velocity_grid"]
-    figure, panels = new_figure(4.4, [["displacement", "velocity"]])
+    figure, panels = new_figure(5.2, [["displacement"], ["velocity"]])
     u = data["relative_displacement_grid"].isel(bead=slice(None, -1))
     draw_spacetime(panels["displacement"], u, "relative_displacement", (-clip, clip))
     draw_spacetime(panels["velocity"], velocity, "velocity", (0.0, float(velocity.max())))
-    panels["velocity"].set_ylabel("")
     if data["arrival_time"][-2].notnull():
         _draw_free_end(panels["displacement"], u, data["arrival_time"], clip)
     for axes in panels.values():
@@ -41,7 +40,7 @@ def fig02(data: xr.Dataset) -> Figure:
 def _draw_free_end(axes: Axes, u: xr.DataArray, arrivals: xr.DataArray, clip: float) -> None:
     """An inset of the last beads when the front arrives, where contacts open."""
     last, arrival = int(arrivals["bead"][-1]), float(arrivals.max())
-    inset = axes.inset_axes((0.6, 0.5, 0.3, 0.16))
+    inset = axes.inset_axes((0.7, 0.46, 0.2, 0.17))
     look: dict[str, Any] = {
         "cmap": compression_map(),
         "vmin": -clip,
@@ -52,8 +51,8 @@ def _draw_free_end(axes: Axes, u: xr.DataArray, arrivals: xr.DataArray, clip: fl
     inset.set(xlim=(last - BEADS_AT_END, last), ylim=(0.96 * arrival, TIME_AT_END * arrival))
     inset.tick_params(labelsize=6)
     opens = float(u.min()) < -0.01 * clip
-    inset.set_title("free end:\nlast beads fly off" if opens else "last beads", fontsize=7)
-    axes.indicate_inset_zoom(inset, edgecolor="black")
+    inset.set_title("last beads fly off" if opens else "last beads", fontsize=6)
+    axes.indicate_inset_zoom(inset, edgecolor="black", linewidth=0.5)
 
 
 if __name__ == "__main__":

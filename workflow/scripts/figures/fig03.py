@@ -19,7 +19,7 @@ def fig03(data: xr.Dataset) -> Figure:
         Scene initiation_overdamped.
     """
     clip = WIDEST * configuration_of(data)["boundary"]["left"]
-    figure, panels = new_figure(4.0, [["transient", "displacement"]])
+    figure, panels = new_figure(4.6, [["transient"], ["displacement"]])
     draw_probes(panels["transient"], data, "transient")
     panels["transient"].legend(loc="lower right")
     panels["transient"].set_title("near the compressed end")

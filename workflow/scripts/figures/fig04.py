@@ -18,7 +18,7 @@ def fig04(data: xr.Dataset) -> Figure:
     data : xarray.Dataset
         Tabulated fluxes and fronts.
     """
-    figure, panels = new_figure(3.0, [["flux", "front"]])
+    figure, panels = new_figure(3.7, [["flux"], ["front"]])
     for alpha, (colour, line) in zip(data["alpha"].values, EXPONENT_LOOKS, strict=False):
         case = data.sel(alpha=alpha)
         label = rf"$\alpha = {alpha:g}$"
@@ -34,9 +34,12 @@ def fig04(data: xr.Dataset) -> Figure:
     panels["flux"].plot(data["force"], data["force"], ":", color="black")
     panels["front"].plot(data["xi"], data["front_limit"], **limit)
     panels["flux"].text(0.5, 0.75, r"compression $y^{1/\alpha}$", ha="right")
-    panels["flux"].text(0.98, -0.45, "flux", ha="right")
-    panels["flux"].set(xlabel="force $y$, over its value behind", ylabel=r"flux $f_\alpha(y)$")
-    panels["flux"].set(xlim=(0, 1), title="flux of the equation")
+    panels["flux"].text(0.98, -0.45, r"flux $f_\alpha(y)$", ha="right")
+    panels["flux"].axhline(0.0, color="0.6", linewidth=0.5, linestyle="-")
+    panels["flux"].set(
+        xlabel="force $y$, over its value behind", ylabel=r"$f_\alpha(y)$ and $y^{1/\alpha}$"
+    )
+    panels["flux"].set(xlim=(0, 1), title="flux of the equation, and compression")
     panels["front"].set(xlabel=r"place $\xi$", ylabel=r"compression $y_\alpha^{1/\alpha}$")
     panels["front"].set(xlim=(-6, 4), title="its front")
     panels["front"].legend()

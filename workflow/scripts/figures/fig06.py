@@ -26,7 +26,7 @@ def fig06(data: xr.Dataset) -> Figure:
     """
     data = data.isel(t=slice(1, None))
     rows = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(data.sizes["t"])]
-    figure, panels = new_figure(1.5 * len(rows) + 0.3, rows)
+    figure, panels = new_figure(1.1 * len(rows) + 0.4, rows, sharex=True)
     for row, names in enumerate(rows):
         for name, field in zip(names, FIELD_LABELS, strict=True):
             highest = float(data[field].max())
@@ -42,20 +42,19 @@ def _draw_snapshot(axes: Axes, snapshot: xr.Dataset, field: str) -> None:
     line, beads = snapshot[f"{field}_logarithmic"], snapshot[field]
     words = "logarithmic Burgers equation"
     axes.plot(line["site"], line, "-", color=EQUATION_COLOUR, label=words)
-    look: dict[str, Any] = {"color": CHAIN_COLOUR, "markersize": 2.5, "label": "ring of beads"}
+    look: dict[str, Any] = {"color": CHAIN_COLOUR, "markersize": 2, "label": "ring of beads"}
     axes.plot(beads["bead"], beads, ".", **look)
     axes.set(ylabel=FIELD_LABELS[field], xlim=(0, int(beads["bead"][-1]) + 1))
     lowest = axes.get_ylim()[0]
     gaps = beads.where(beads < lowest, drop=True)
     if gaps.size:
         edge = np.full(gaps.size, lowest)
-        axes.plot(gaps["bead"], edge, "v", color=ALARM_COLOUR, markersize=4, clip_on=False)
+        axes.plot(gaps["bead"], edge, "v", color=ALARM_COLOUR, clip_on=False)
         axes.annotate(
             f"gap of {-float(gaps.min()):.2g}",
             (float(gaps["bead"][gaps.values.argmin()]), lowest),
             xytext=(6, 2),
             textcoords="offset points",
-            fontsize=7,
             color=ALARM_COLOUR,
         )
 

@@ -26,7 +26,7 @@ def fig08(data: xr.Dataset) -> Figure:
     """
     fronts = [f"front {mu:g}" for mu in data["mu"].values]
     rows = [["well", "portrait"], *fill_rows(fronts, 2)]
-    figure, panels = new_figure(2.5 * len(rows), rows)
+    figure, panels = new_figure(1.9 * len(rows), rows)
     _draw_well(panels["well"], data)
     _draw_portrait(panels["portrait"], data)
     for panel, mu in zip(fronts, data["mu"].values, strict=True):
@@ -38,7 +38,7 @@ def _draw_well(axes: Axes, data: xr.Dataset) -> None:
     """W(y), and an arrow from the bottom of the well at y = 1 to the saddle at 0."""
     axes.plot(data["y"], data["potential"], color=BLACK, linestyle="-")
     well = float(data["potential"].sel(y=1.0, method="nearest"))
-    axes.plot([0.0, 1.0], [0.0, well], "o", color=BLUE, markersize=3.5)
+    axes.plot([0.0, 1.0], [0.0, well], "o", color=BLUE)
     axes.annotate(
         "",
         xy=(0.03, 0.01),
@@ -46,7 +46,7 @@ def _draw_well(axes: Axes, data: xr.Dataset) -> None:
         arrowprops={
             "arrowstyle": "-|>",
             "color": BLUE,
-            "linewidth": 1.4,
+            "linewidth": 1.0,
             "connectionstyle": "arc3,rad=0.35",
             "shrinkA": 3,
             "shrinkB": 3,
@@ -64,13 +64,13 @@ def _draw_portrait(axes: Axes, data: xr.Dataset) -> None:
     for number in data["trajectory"].values:
         trajectory = data.sel(trajectory=number)
         y, z = trajectory["rescaled_force_portrait"], trajectory["slope_portrait"]
-        axes.plot(y, z, color=GREY, linestyle="-", linewidth=0.7)
+        axes.plot(y, z, color=GREY, linestyle="-", linewidth=0.5)
         _draw_arrow(axes, y.values, z.values, data["s_portrait"].values, GREY)
     front = data.sel(mu=data.attrs["portrait_mu"])
     y, z = front["rescaled_force"], front["slope"]
-    axes.plot(y, z, color=BLUE, linestyle="-", linewidth=1.5)
+    axes.plot(y, z, color=BLUE, linestyle="-", linewidth=1.2)
     _draw_arrow(axes, y.values, z.values, data["s"].values, BLUE)
-    axes.plot([-1.0, 0.0, 1.0], [0.0, 0.0, 0.0], "o", color=BLACK, markersize=3.0)
+    axes.plot([-1.0, 0.0, 1.0], [0.0, 0.0, 0.0], "o", color=BLACK)
     title = f"phase portrait, {_title_of(data.attrs['portrait_mu'])}"
     axes.set(xlabel="force $y$", ylabel="slope $z = y'$", title=title)
     axes.set(xlim=(-1.75, 1.75), ylim=(-1.25, 1.25))
@@ -84,7 +84,7 @@ def _draw_arrow(axes: Axes, y: np.ndarray, z: np.ndarray, s: np.ndarray, colour:
         "",
         xy=(y[head], z[head]),
         xytext=(y[foot], z[foot]),
-        arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 0.8, "shrinkB": 0},
+        arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 0.6, "shrinkB": 0},
     )
 
 

@@ -5,50 +5,42 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from drawing import write_figure
+from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.panels import finish_grid
 from granular_fronts.output.style import CONTINUUM_LOOKS, LOOKS, new_figure
 from job import job
 
-FIELDS = {
-    "relative_displacement": r"compression $u/\delta$",
-    "velocity": r"velocity $\dot x/c\delta$",
-}
-MARGIN = 0.15
-
 
 def fronts_compared(scenes: list[xr.Dataset]) -> Figure:
-    """Draw both fields of every front, and by how much continuum fronts miss its compression.
+    """Draw the compression of every front, and by how much continuum fronts miss it below.
 
     Parameters
     ----------
     scenes : list of xarray.Dataset
-        Front scenes, one for each row.
+        Front scenes, one for each column.
     """
-    rows = [[f"{part} {row}" for part in (*FIELDS, "error")] for row in range(len(scenes))]
-    figure, panels = new_figure(1.6 * len(rows) + 0.4, rows)
-    for names, data in zip(rows, scenes, strict=True):
-        *fields, error = (panels[name] for name in names)
-        for axes, field in zip(fields, FIELDS, strict=True):
-            _draw_models(axes, data, field)
+    rows = [[f"{part} {column}" for column in range(len(scenes))] for part in ("u", "error")]
+    figure, panels = new_figure(3.6, rows)
+    for column, data in enumerate(scenes):
+        profile, error = panels[f"u {column}"], panels[f"error {column}"]
+        _draw_profiles(profile, data)
         _draw_errors(error, data)
-        law = rf"$\alpha = {data.attrs['alpha']:g}$", rf"$\gamma c = {data.attrs['gamma']:.2g}$"
-        fields[0].text(0.04, 0.1, "\n".join(law), transform=fields[0].transAxes)
-    finish_grid(figure, [panels[name] for name in rows[-1]], r"$\xi = n - ct$", columns=3)
+    panels["u 0"].set_ylabel(r"compression $u/\delta$")
+    panels["error 0"].set_ylabel(r"error of $u/\delta$")
+    finish_grid(figure, [panels[name] for name in rows[0]], r"$\xi = n - ct$", columns=5)
     return figure
 
 
-def _draw_models(axes: Axes, data: xr.Dataset, field: str) -> None:
-    """One field of one front: exact, driven, and the three continuum models."""
-    driven = data[f"{field}_driven"]
+def _draw_profiles(axes: Axes, data: xr.Dataset) -> None:
+    """Compression of one front: exact, driven, and the three continuum models."""
+    driven = data["relative_displacement_driven"]
     axes.plot(driven["xi_driven"], driven, ".", color="0.6", markersize=4, label="driven chain")
     for front, look in CONTINUUM_LOOKS.items():
-        axes.plot(data["xi"], data[f"{field}_{front}"], **look._asdict())
-    axes.plot(data["xi"], data[field], **LOOKS["exact"]._asdict())
-    # The spike of a continuum front would hide all else.
-    low, high = float(data[field].min()), float(data[field].max())
-    margin = MARGIN * (high - low)
-    axes.set(xlim=(data["xi"][0], data["xi"][-1]), ylim=(low - margin, high + margin))
-    axes.set_ylabel(FIELDS[field])
+        axes.plot(data["xi"], data[f"relative_displacement_{front}"], **look._asdict())
+    axes.plot(data["xi"], data["relative_displacement"], **LOOKS["exact"]._asdict())
+    law = configuration_of(data)["law"]
+    axes.set_title(rf"$\alpha = {law['alpha']:g}$, $\gamma = {law['gamma']:g}$")
+    axes.set(xlim=(data["xi"][0], data["xi"][-1]))
 
 
 def _draw_errors(axes: Axes, data: xr.Dataset) -> None:
@@ -56,8 +48,8 @@ def _draw_errors(axes: Axes, data: xr.Dataset) -> None:
     for front, look in CONTINUUM_LOOKS.items():
         difference = data[f"relative_displacement_{front}"] - data["relative_displacement"]
         axes.plot(data["xi"], difference, **look._asdict())
-    axes.axhline(0.0, color="0.6", linewidth=0.6, linestyle="-")
-    axes.set(xlim=(data["xi"][0], data["xi"][-1]), ylabel=r"error of $u/\delta$")
+    axes.axhline(0.0, color="0.6", linewidth=0.5, linestyle="-")
+    axes.set(xlabel=r"$\xi = n - ct$", xlim=(data["xi"][0], data["xi"][-1]))
 
 
 if __name__ == "__main__":

@@ -12,10 +12,12 @@ from drawing import write_figure
 from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
 from job import job
 
-MARKERS = ("o", "s", "^", "d")
+MARKERS = ("o", "s", "^", "v", "D")
 CIRCLE = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 400))
 # Multipliers that rounding moves farther are not shown.
 LARGEST_ROUNDING = 1e-2
+NEAR = 0.2
+"""Side of the panels that show the neighbourhood of 1."""
 
 
 def multipliers(data: xr.Dataset) -> Figure:
@@ -27,18 +29,23 @@ def multipliers(data: xr.Dataset) -> Figure:
         The multipliers.
     """
     fronts = list(data["scene"].values)
-    figure, panels = new_figure(5.8, [fronts, fronts, ["gap"] * len(fronts)])
-    for front in fronts:
-        _draw_spectrum(panels[front], data.sel(scene=front))
+    near = [f"{front} near 1" for front in fronts]
+    figure, panels = new_figure(4.1, [[*fronts, "gap"], [*near, "."]])
+    for name, zoomed, front in zip(fronts, near, fronts, strict=True):
+        _draw_spectrum(panels[name], data.sel(scene=front))
+        panels[name].set_title(_law(data.sel(scene=front)))
+        _draw_spectrum(panels[zoomed], data.sel(scene=front))
+        panels[zoomed].set(xlim=(1.0 - NEAR, 1.0 + 0.1 * NEAR), ylim=(-0.55 * NEAR, 0.55 * NEAR))
+        panels[name].indicate_inset(panels[zoomed].viewLim.bounds, edgecolor="black", linewidth=0.5)
     handles, words = panels[fronts[0]].get_legend_handles_labels()
-    figure.legend(handles, words, loc="outside upper center", ncols=3)
+    figure.legend(handles, words, loc="lower right", borderaxespad=4)
     _draw_gap(panels["gap"], data)
     return figure
 
 
 def _draw_spectrum(axes: Axes, data: xr.Dataset) -> None:
     """The unit circle, waves in the compressed chain behind the front, and every window."""
-    axes.plot(CIRCLE.real, CIRCLE.imag, "-", color="black", linewidth=0.7)
+    axes.plot(CIRCLE.real, CIRCLE.imag, "-", color="black", linewidth=0.5)
     for branch in data["branch"].values:
         real, imaginary = (
             data[f"essential_multiplier_{part}"].sel(branch=branch)
@@ -55,12 +62,10 @@ def _draw_spectrum(axes: Axes, data: xr.Dataset) -> None:
             MARKERS[number % len(MARKERS)],
             color=PROBE_COLOURS[number % len(PROBE_COLOURS)],
             fillstyle="none",
-            markersize=3.5,
-            markeredgewidth=0.7,
             label=f"front, {behind} beads behind",
         )
-    axes.plot(1.0, 0.0, "+", color=ALARM_COLOUR, markersize=11, label="translation")
-    axes.set(title=_law(data), xlabel=r"Re $z$", ylabel=r"Im $z$", aspect="equal")
+    axes.plot(1.0, 0.0, "+", color=ALARM_COLOUR, markersize=7, label="translation")
+    axes.set(xlabel=r"Re $z$", ylabel=r"Im $z$", aspect="equal")
 
 
 def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
@@ -68,8 +73,8 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
     for number, front in enumerate(data["scene"].values):
         one = data.sel(scene=front)
         look: dict[str, Any] = {
-            "color": PROBE_COLOURS[number],
-            "marker": MARKERS[number],
+            "color": PROBE_COLOURS[-1 - number],
+            "marker": MARKERS[-1 - number],
             "label": _law(one),
         }
         slowest = 1.0 - one["spectral_radius_without_translation"]
@@ -82,7 +87,8 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
     axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 4)))
     axes.yaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_minor_locator(NullLocator())
-    axes.legend()
+    # Below, in the empty place of the figure.
+    axes.legend(loc="upper left", bbox_to_anchor=(-0.1, -0.2)).set_in_layout(False)
 
 
 def _law(data: xr.Dataset) -> str:

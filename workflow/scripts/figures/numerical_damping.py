@@ -22,7 +22,7 @@ def numerical_damping(data: xr.Dataset) -> Figure:
     data : xarray.Dataset
         Numerical damping.
     """
-    figure, panels = new_figure(3.4, [["profile", "order"]])
+    figure, panels = new_figure(4.4, [["profile"], ["order"]])
     _draw_profile(panels["profile"], data)
     _draw_distances(panels["order"], data)
     return figure
@@ -40,7 +40,7 @@ def _draw_profile(axes: Axes, data: xr.Dataset) -> None:
     ]
     for name, style, colour, label in lines:
         values = data[f"relative_displacement_{name}"]
-        axes.plot(values["bead"], values, style, color=colour, markersize=4, label=label)
+        axes.plot(values["bead"], values, style, color=colour, label=label)
     axes.set(
         xlabel="bead $n$",
         ylabel="compression $u_n$",
@@ -48,7 +48,7 @@ def _draw_profile(axes: Axes, data: xr.Dataset) -> None:
         xlim=(0, profile["beads"]),
     )
     axes.set_ylim(top=1.4 * float(data["relative_displacement_conservative"].max()))
-    axes.legend(loc="upper left", handlelength=1.5, fontsize=7.5)
+    axes.legend(loc="upper left")
 
 
 def _draw_distances(axes: Axes, data: xr.Dataset) -> None:
@@ -57,7 +57,7 @@ def _draw_distances(axes: Axes, data: xr.Dataset) -> None:
     for theta, (colour, marker) in zip(data["theta"].values, looks, strict=False):
         row = data.sel(theta=theta)
         label = rf"$\theta = {theta:g}$, order {float(row['order']):.2f}"
-        look = {"color": colour, "marker": marker, "markersize": 3.5}
+        look = {"color": colour, "marker": marker}
         axes.loglog(row["step"], row["damping_distance"], "-", label=label, **look)
         axes.loglog(row["step"], row["conservative_distance"], ":", **look)
     axes.set(
@@ -65,8 +65,8 @@ def _draw_distances(axes: Axes, data: xr.Dataset) -> None:
     )
     axes.set_ylim(top=10.0)
     words = "dotted: to the chain without damping"
-    axes.text(0.05, 0.97, words, transform=axes.transAxes, va="top", fontsize=8)
-    axes.legend(loc="lower right", title="full: to the chain with damping", title_fontsize=8)
+    axes.text(0.05, 0.97, words, transform=axes.transAxes, va="top")
+    axes.legend(loc="lower right", title="full: to the chain with damping")
 
 
 if __name__ == "__main__":
