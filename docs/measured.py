@@ -9,6 +9,7 @@ it is written:
 - `column`: in this row, ``computed`` by default;
 - `times`: a factor, 100 for per cent; optional;
 - `form`: a format of Python, ``.3f`` for example; an exponent is written as a power of ten;
+- `test`: in place of all others, the test that computes the number and holds the page to it;
 - `bound`: in place of `form`, what the number and its numerical error together stay below; a page
   that says "within 10⁻⁶" states such a bound.
 
@@ -93,7 +94,7 @@ def _written_numbers(listed: Mapping[str, Any], tables: Path) -> Iterator[tuple[
     """Names and texts of the numbers whose tables are there."""
     read = {}
     for name, entry in listed.items():
-        path = tables / f"{entry['table']}.csv"
+        path = tables / f"{entry.get('table')}.csv"
         if not path.exists():
             continue
         if path not in read:

@@ -16,34 +16,20 @@ from projects import ROOT
 
 SCHEMA = Configuration.model_json_schema()
 PAGES, KEYS, LINKS, MEASURED = map(load_script, ("generate", "configuration", "links", "measured"))
-TEXTS = {path.relative_to(ROOT): path.read_text(encoding="utf-8") for path in MEASURED.pages()}
 
 
 # Public names.
 
 
-def test_every_public_name_is_in_one_group():
+def test_every_public_name_is_in_one_group_with_an_example():
     names = " ".join(PAGES.NAMES.values()).split()
     assert sorted(names) == gf.__all__
     assert list(PAGES.NAMES) == [group.page for group in PAGES.GROUPS]
-
-
-def test_names_are_documented_as_they_are_used():
-    page = "".join(map(PAGES.group_page, PAGES.GROUPS))
-    for name in ("solve_front", "Scaling", "plot.front"):
-        assert f"\n## gf.{name}\n" in page
-    assert ".. autofunction:: gf.solve_front\n" in page
-    assert ".. autoclass:: gf.Scaling\n" in page
-    assert "[`gf.plot.front`](api_plots.md#gfplotfront)" in PAGES.public_names()
+    assert [value for value in FOUND if ">>> " not in value.__doc__] == []
 
 
 FOUND = [getattr(gf, name) for name in gf.__all__ if name != "plot"]
 FOUND += [getattr(gf.plot, name) for name in gf.plot.__all__]
-
-
-@pytest.mark.parametrize("value", FOUND, ids=lambda value: value.__name__)
-def test_every_public_name_has_an_example(value):
-    assert re.search(r"\n *Examples\n *-+\n *>>> ", value.__doc__)
 
 
 @pytest.mark.parametrize("module", sorted({value.__module__ for value in FOUND}))
@@ -83,20 +69,6 @@ def test_every_key_of_the_default_configuration_is_described():
     assert not known.fullmatch("scenes.unheard_of")
 
 
-def test_a_definition_that_contains_itself_is_listed_once():
-    schema = {
-        "$defs": {
-            "node": {
-                "description": "A node.",
-                "properties": {"next": {"description": "The next.", "$ref": "#/$defs/node"}},
-            }
-        },
-        "properties": {"first": {"$ref": "#/$defs/node"}},
-    }
-    found = [(key.path, key.description) for key in KEYS.keys(schema, schema)]
-    assert found == [("first", "A node."), ("first.next", "The next.")]
-
-
 def rows_of(page, heading):
     """The cells of each row of the tables under a heading, by the first cell."""
     [section] = [part for part in page.split("\n## ") if part.startswith(f"{heading}\n")]
@@ -108,11 +80,9 @@ def test_a_key_has_type_default_unit_and_meaning():
     page = KEYS.configuration_page()
     top, chain = rows_of(page, "At the top"), rows_of(page, "scenes.chain.⟨name⟩")
     assert top["chunk_seconds"][:3] == ["number, > 0", "`30`", "s"]
-    masses = "Number N of beads of mass 1, or their count with masses or materials."
-    assert chain["beads"] == ["whole number or mapping, ≥ 2", "required", "1", masses]
-    assert chain["beads.mass.cell"][0].startswith("list")
+    assert chain["beads"][:3] == ["whole number or mapping, ≥ 2", "required", "1"]
     assert chain["boundary.ramp"][1] == "`0.0`"
-    assert chain["boundary.ramp"][3].startswith("For kind `piston`: Time over which")
+    assert chain["boundary.ramp"][3].startswith("For kind `piston`: ")
     assert chain["record.probes"][:2] == ["mapping", "none"]
     assert set(chain) >= {"law.alpha", "law.elastic", "record.probes.⟨name⟩.beads"}
 
@@ -122,17 +92,9 @@ def test_every_axis_and_scalar_of_a_campaign_is_listed():
     for name, kind in KINDS.items():
         rows = rows_of(page, f"Kind {name}")
         assert rows.keys() >= kind.point.model_fields.keys() | kind.scalars.keys()
-    beta = rows_of(page, "Kind chain")["beta"]
-    assert beta == ["number, ≥ 1", "α", "exponent of the viscous force"]
 
 
 # Pictures and links.
-
-
-def test_the_manual_needs_results(tmp_path):
-    with pytest.raises(SystemExit, match="run make first"):
-        PAGES.write_pages(tmp_path / "generated", tmp_path)
-    assert not (tmp_path / "generated").exists()
 
 
 def test_a_page_shows_a_figure_or_how_to_draw_it(tmp_path):
@@ -163,17 +125,8 @@ def test_figures_equations_lemmas_and_papers_are_links():
     assert "**Lemma 4 " in (ROOT / file).read_text(encoding="utf-8").splitlines()[int(line) - 1]
 
 
-def test_every_paper_is_cited_and_none_outside_the_bibliography():
-    pages = {page: text for page, text in TEXTS.items() if page.stem != "bibliography"}
-    cited = " ".join(pages.values())
-    for path in ROOT.glob("projects/*/README.md"):
-        cited += path.read_text(encoding="utf-8")
-    for path in (ROOT / "src").rglob("*.py"):
-        cited += path.read_text(encoding="utf-8")
-    cited = " ".join(cited.split())
+def test_every_paper_is_cited():
+    files = [*ROOT.glob("projects/*/README.md"), *ROOT.glob("src/**/*.py"), *MEASURED.pages()]
+    texts = [file.read_text(encoding="utf-8") for file in files if file.stem != "bibliography"]
+    cited = " ".join(" ".join(texts).split())
     assert [paper for paper in LINKS.PAPERS if paper not in cited] == []
-    assert [page for page, text in pages.items() if re.search(r"arXiv:\d", text)] == []
-    # The manual links the name of a paper; the anchors of its entries are none that MyST knows.
-    assert [page for page, text in pages.items() if "bibliography.md#" in text] == []
-    [listed] = [text for page, text in TEXTS.items() if page.stem == "bibliography"]
-    assert len(LINKS.PAPERS) == listed.count("<a id=") > 1

@@ -1,6 +1,5 @@
-"""Measured numbers of README and manual come from the tables of a run, and no other is typed."""
+"""Measured numbers of README and manual come from the tables of a run, or from a test."""
 
-import re
 import time
 
 import pandas as pd
@@ -38,56 +37,15 @@ def statements(name):
     return yaml.safe_load((ROOT / "config" / f"{name}.yaml").read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize("name", ["paper_numbers", "findings"])
-def test_rows_are_those_of_the_statements(name):
+def test_rows_are_those_of_the_statements():
     """Also those of tables that were not made."""
-    quantities = [statement["quantity"] for statement in statements(name)]
-    for entry in ENTRIES.values():
-        if entry["table"] == name and "row" in entry:
-            assert quantities.count(entry["row"]["quantity"]) == 1, entry
+    for name in ("paper_numbers", "findings"):
+        quantities = [statement["quantity"] for statement in statements(name)]
+        for entry in ENTRIES.values():
+            if entry.get("table") == name and "row" in entry:
+                assert quantities.count(entry["row"]["quantity"]) == 1, entry
 
 
-NUMBER = re.compile(r"(?<![\w.·])[−+]?\d+\.\d+|\d+(?= %)|\d*·?10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
-
-
-def leaves(value):
-    if isinstance(value, dict | list):
-        for below in value.values() if isinstance(value, dict) else value:
-            yield from leaves(below)
-    else:
-        yield str(value)
-
-
-def typed_numbers(text):
-    """Decimal numbers, per cents and powers of ten of a page that no mark follows."""
-    text = re.sub(r"```.*?```|`[^`]*`|\]\([^)]*\)", " ", text, flags=re.DOTALL)
-    text = MEASURED.MARKED.sub(" ", text)
-    return {re.sub("[−+]", "", found) for found in NUMBER.findall(text)}
-
-
-def test_findings_type_no_result():
-    """What is typed there are numbers of sections, values of the configuration, and the paper's."""
-    sections = {"4.1", "4.3", "5.2"}
-    configured = set(leaves(statements("default")))
-    printed = {str(statement.get("printed")) for statement in statements("paper_numbers")}
-    typed = typed_numbers(TEXTS[ROOT / "docs" / "findings.md"])
-    assert typed - sections - configured - printed == set()
-    assert typed_numbers("c = 0.56, 7 % and 2·10⁻³, not 0.1<!-- c --> % or `0.2`") == {
-        "0.56",
-        "7",
-        "2·10⁻³",
-    }
-
-
-def words_of(page):
-    return " ".join(TEXTS[ROOT / "docs" / f"{page}.md"].split())
-
-
-RATES = re.compile(
-    r"more than (?P<front>\d+) exact fronts in a second of processor time, at α = 3/2 over "
-    r"0\.1 ≤ γ ≤ 1\. Of chains of 200 beads, at a tolerance of 10⁻⁹, it solves more than "
-    r"(?P<chain>\d+)\."
-)
 CAMPAIGNS = {
     "front": {"axes": {"gamma": {"logspace": [0.1, 1, 400]}}, "fixed": {"alpha": 1.5}},
     "chain": {
@@ -98,16 +56,17 @@ CAMPAIGNS = {
 }
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", CAMPAIGNS)
-def test_campaigns_are_as_fast_as_the_page_says(kind):
+# It measures processor time, which depends on the machine and what else it does.
+@pytest.mark.nightly
+@pytest.mark.parametrize(("kind", "least"), [("front", 1000), ("chain", 40)])
+def test_campaigns_are_as_fast_as_the_page_says(kind, least):
+    page = TEXTS[ROOT / "docs" / "performance.md"]
+    assert MEASURED.fill(page, {f"{kind}s_per_second": str(least)}) == page
     asked = check_campaign({"kind": kind, **CAMPAIGNS[kind]}, kind)
     solved_points(asked)  # compiles, and fills caches
     begun = time.process_time()
     solved_points(asked)
-    assert asked.size / (time.process_time() - begun) > int(
-        RATES.search(words_of("performance"))[kind]
-    )
+    assert asked.size / (time.process_time() - begun) > least
 
 
 # The script itself.
@@ -127,39 +86,32 @@ def test_numbers_in_print(value, form, expected):
     assert MEASURED.in_print(value, form) == expected
 
 
-@pytest.fixture
-def results(tmp_path):
-    (tmp_path / "tables").mkdir()
+def load(results, **entry):
+    """The number that one entry takes from a table of two rows."""
+    (results / "tables").mkdir(exist_ok=True)
     rows = pd.DataFrame(
         {"quantity": ["a", "b"], "alpha": [1.5, 1.1], "computed": [0.25, 2e-7]}
         | {"numerical error": [1e-9, 1e-7]}
     )
-    rows.to_csv(tmp_path / "tables" / "known.csv", index=False)
-    return tmp_path
-
-
-def load(results, **entry):
+    rows.to_csv(results / "tables" / "known.csv", index=False)
     (results / "measured.yaml").write_text(yaml.safe_dump({"one": {"table": "known", **entry}}))
     return MEASURED.load_numbers(results, results / "measured.yaml")
 
 
-def test_a_number_is_taken_from_its_row(results):
-    assert load(results, row={"alpha": 1.5}, times=100, form=".0f") == {"one": "25"}
-    assert load(results, row={"quantity": "b"}, column="alpha", form=".2f") == {"one": "1.10"}
-    assert load(results, table="unknown", row={"quantity": "b"}, form=".2f") == {}
+def test_a_number_is_taken_from_its_row_and_rows_are_counted(tmp_path):
+    assert load(tmp_path, row={"alpha": 1.5}, times=100, form=".0f") == {"one": "25"}
+    assert load(tmp_path, row={"quantity": "b"}, column="alpha", form=".2f") == {"one": "1.10"}
+    assert load(tmp_path, table="unknown", row={"quantity": "b"}, form=".2f") == {}
+    assert load(tmp_path, count={}) == {"one": "2"}
+    assert load(tmp_path, count={"quantity": "b"}) == {"one": "1"}
 
 
-def test_rows_are_counted(results):
-    assert load(results, count={}) == {"one": "2"}
-    assert load(results, count={"quantity": "b"}) == {"one": "1"}
-
-
-def test_a_bound_is_kept_or_named_and_so_is_a_row_that_is_not_one(results):
-    assert load(results, row={"quantity": "b"}, bound=3.1e-7) == {"one": "3·10⁻⁷"}
+def test_a_bound_is_kept_or_named_and_so_is_a_row_that_is_not_one(tmp_path):
+    assert load(tmp_path, row={"quantity": "b"}, bound=3.1e-7) == {"one": "3·10⁻⁷"}
     with pytest.raises(SystemExit, match=r"one .* reaches 3e-07, above the bound 2e-07"):
-        load(results, row={"quantity": "b"}, bound=2e-7)
+        load(tmp_path, row={"quantity": "b"}, bound=2e-7)
     with pytest.raises(SystemExit, match="names 0 rows"):
-        load(results, row={"quantity": "c"}, form=".2f")
+        load(tmp_path, row={"quantity": "c"}, form=".2f")
 
 
 def test_only_known_marks_are_filled():
