@@ -12,12 +12,11 @@ export PIP_USER := 0
 # The workflow compiles its kernels into this folder; the tests find them there.
 export NUMBA_CACHE_DIR := $(CURDIR)/.numba_cache
 
-# Tests run side by side, those of one file one after the other, each process on one core; files in
-# the order of tests/conftest.py, not by their numbers of tests.
-SIDE_BY_SIDE := --numprocesses auto --dist loadfile --no-loadscope-reorder
-test slow: export OPENBLAS_NUM_THREADS := 1
+# Tests run side by side, those of one file one after the other, each process on one core.
+SIDE_BY_SIDE := --numprocesses auto --dist loadfile
+test slow nightly: export OPENBLAS_NUM_THREADS := 1
 # Their many processes start faster from bytecode, also where the surroundings forbid to write it.
-test slow: export PYTHONDONTWRITEBYTECODE :=
+test slow nightly: export PYTHONDONTWRITEBYTECODE :=
 
 # Runs a command and shows what it says only if it fails.
 quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
@@ -26,7 +25,7 @@ quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
 need_uv = command -v uv >/dev/null || { \
     echo "Remaking $@ needs uv: https://docs.astral.sh/uv." >&2; exit 1; }
 
-.PHONY: all help test slow lint readme docs clean
+.PHONY: all help test slow nightly lint readme docs clean
 
 all: .venv/installed ## Rebuild every figure, table and the report in results/.
 	@echo "Rebuilding every figure, table and the report in results/."
@@ -41,13 +40,16 @@ help: ## Print these targets, and those of the workflow where it is installed.
 	else echo "The targets of the workflow are shown once make has installed it."; fi
 
 test: lint ## Check style and types, and run the fast tests.
-	@echo "Running the tests (the slow ones: $(BIN)/pytest -m slow)."
-	@$(BIN)/pytest $(SIDE_BY_SIDE) -m "not slow and not timing"
-	@$(BIN)/pytest -m timing $$(grep -rl --include="*.py" "pytest.mark.timing" tests)
+	@echo "Running the fast tests (others: make slow, make nightly)."
+	@$(BIN)/pytest $(SIDE_BY_SIDE)
 
-slow: .venv/installed ## Run the slow tests.
+slow: .venv/installed ## Run the slow tests, which belong to every push.
 	@echo "Running the slow tests."
 	@$(BIN)/pytest $(SIDE_BY_SIDE) -m slow
+
+nightly: .venv/installed ## Run the tests that are too heavy for every push, one after the other.
+	@echo "Running the nightly tests."
+	@$(BIN)/pytest -rs -m nightly
 
 lint: .venv/installed ## Check the style, the workflow's rules and the types.
 	@echo "Checking style, the workflow's rules and types."

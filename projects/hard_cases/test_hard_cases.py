@@ -6,7 +6,7 @@ import edge_cases
 
 SLOW = ("γ = 20", "α = 10", "000 beads", "losses", "bouncing")
 CASES = [
-    pytest.param(name, marks=[pytest.mark.slow] if name.endswith(SLOW) else [])
+    pytest.param(name, marks=[pytest.mark.nightly] if name.endswith(SLOW) else [])
     for name in edge_cases.CASES
 ]
 

@@ -84,7 +84,8 @@ def test_a_turn_on_which_two_runs_agree_by_chance_states_its_error():
     assert hold(true_chains.judge(true_chains.random_scene(np.random.default_rng([1, 220]))))
 
 
-@pytest.mark.slow
+# Hundreds of problems; each push tries a few.
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     ("cases", "seed", "count"),
     [(true_chains.cases, 2, 150), (true_fronts.cases, 11, 40), (true_fronts.cases, 12, 40)],

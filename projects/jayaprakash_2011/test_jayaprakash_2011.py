@@ -135,7 +135,8 @@ def test_measure_is_what_follows_by_hand(measure, data, arguments, value, error)
     assert_measures(measure, data, arguments, value, error)
 
 
-@pytest.mark.slow
+# The whole project is run.
+@pytest.mark.nightly
 def test_the_page_shows_what_is_computed(tmp_path):
     results, readme = run_project("jayaprakash_2011", tmp_path)
     rows = re.findall(r"^\| (\d) \| ([\d.]+) \| ([^|]+) \| ([^|]+) \|$", readme, re.MULTILINE)

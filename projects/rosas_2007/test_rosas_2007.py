@@ -133,6 +133,7 @@ def test_measure_is_what_follows_by_hand(measure, data, arguments, value, error)
     assert_measures(measure, data, arguments, value, error)
 
 
-@pytest.mark.slow
+# The whole project is run.
+@pytest.mark.nightly
 def test_the_page_shows_what_is_computed(tmp_path):
     assert_readme_shows_statements("rosas_2007", tmp_path)

@@ -106,6 +106,7 @@ def test_measure_is_what_follows_by_hand(measure, arguments, value, error):
     assert_measures(measure, SHOCKS, arguments, value, error)
 
 
-@pytest.mark.slow
+# The whole project is run.
+@pytest.mark.nightly
 def test_the_page_shows_what_is_computed(tmp_path):
     assert_readme_shows_statements("weak_damping", tmp_path)

@@ -172,7 +172,8 @@ def test_a_record_has_room_for_eight_kinks_and_eight_parameters(monkeypatch):
         make_chain(law(0), make_boundary(Chain.read(pulse(LAWS["hertz"]))), np.ones(3), np.ones(3))
 
 
-@pytest.mark.timing
+# It measures processor time, and wants the machine for itself.
+@pytest.mark.nightly
 @pytest.mark.parametrize("terms", [5, 10])
 def test_inner_loops_are_vector_code(terms):
     beads, rng = 4000, np.random.default_rng(0)

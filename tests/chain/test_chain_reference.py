@@ -52,7 +52,8 @@ def test_newtons_law_agrees_before_contact_loss(gamma):
     assert np.max(np.abs(found - state_of(gamma, 700.0))) < 1e-12
 
 
-@pytest.mark.slow
+# Millions of steps in Python.
+@pytest.mark.nightly
 @pytest.mark.parametrize("end", [2600.0, 3000.0])
 def test_fixed_steps_agree_after_contact_loss(end):
     law, rest = make_law(alpha=1.5, gamma=0.06), np.zeros((2, 420))
@@ -65,7 +66,8 @@ def test_fixed_steps_agree_after_contact_loss(end):
 
 
 @extended
-@pytest.mark.slow
+# The stored states were made by it, and change only when they are made again.
+@pytest.mark.nightly
 def test_collocation_in_positions_agrees_with_a_stored_state():
     """The method of make_chain_reference.py; round-off of positions up to 40 is what is left."""
     states = read_states()

@@ -62,7 +62,8 @@ def test_only_the_contacts_asked_for_are_written():
         np.testing.assert_array_equal(np.flatnonzero(~np.isnan(result)), range(2, 7))
 
 
-@pytest.mark.timing
+# It measures processor time, and wants the machine for itself.
+@pytest.mark.nightly
 @pytest.mark.parametrize("order", [1, 2])
 @pytest.mark.parametrize("kind", KINDS)
 def test_row_maps_are_vector_code(kind, order):
@@ -96,7 +97,8 @@ print(len(compiled))
 """
 
 
-@pytest.mark.slow
+# Kernels are compiled from nothing.
+@pytest.mark.nightly
 def test_named_kinds_are_compiled_once_for_all_processes(tmp_path):
     """Three stage passes, and five row maps, of which Hertz's serves both orders."""
     environment, found = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}, []

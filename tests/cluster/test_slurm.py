@@ -35,7 +35,8 @@ NEEDED = {
 }
 MISSING = [name for name, found in NEEDED.items() if not found]
 pytestmark = [
-    pytest.mark.slow,
+    # It needs root and a cluster of its own.
+    pytest.mark.nightly,
     pytest.mark.skipif(bool(MISSING), reason=f"The cluster test needs {', '.join(MISSING)}."),
 ]
 

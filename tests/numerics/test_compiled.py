@@ -148,7 +148,8 @@ RUNS = {
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 
 
-@pytest.mark.slow
+# Every kernel is compiled from nothing.
+@pytest.mark.nightly
 def test_the_same_question_gives_the_same_bits(tmp_path):
     """Compiled now or before, in whichever order, on one thread or two, and in this process."""
     environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "kernels")}

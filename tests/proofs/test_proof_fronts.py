@@ -37,7 +37,8 @@ CASES = {
 }
 
 
-@pytest.mark.slow
+# Four proofs from nothing, of which each push makes those of the figures.
+@pytest.mark.nightly
 @pytest.mark.parametrize("case", CASES)
 def test_other_fronts(case, tmp_path):
     alpha, gamma, beta = case

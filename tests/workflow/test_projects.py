@@ -61,7 +61,8 @@ def test_a_plain_call_makes_nothing_of_a_project(tmp_path):
         assert rules.isdisjoint(re.findall(r"^rule (\w+):| as (\w+) with:", text, re.MULTILINE))
 
 
-@pytest.mark.slow
+# A copy of the repository for each project.
+@pytest.mark.nightly
 @pytest.mark.parametrize("name", PROJECTS)
 def test_a_project_that_is_deleted_leaves_nothing_behind(name, tmp_path):
     copy = copy_project(tmp_path)
