@@ -19,11 +19,14 @@ from granular_fronts.errors import InputError
 from granular_fronts.output.departures import departures
 from granular_fronts.output.statements import (
     ANSWERS,
+    COMPATIBLE,
     DOES_NOT_HOLD,
     HOLDS,
+    NOT_COMPATIBLE,
     NOT_JUDGED,
     NOT_REPRODUCED,
     OTHER_PARAMETERS,
+    OUT_OF_REACH,
     REPRODUCED,
     UNDECIDED,
     Range,
@@ -78,6 +81,8 @@ def test_a_number_without_last_digit_is_refused(printed):
 def test_an_unknown_kind_is_refused():
     with pytest.raises(InputError, match=r"width.*numbers.*number, inequality, words, finding"):
         criterion_of({"quantity": "width", "kind": "numbers", "printed": "0.56"})
+    with pytest.raises(InputError, match=r"read of .*width.*title.*abstract, opening"):
+        criterion_of({"quantity": "width", "kind": "number", "printed": "0.56", "read": "title"})
 
 
 NUMBER, POSITIVE = {"kind": "number", "printed": "0.56"}, {"kind": "inequality", "printed": "> 0"}
@@ -101,6 +106,12 @@ SMALL = {"kind": "words", "printed": "very small", "criterion": "at most 0.01"}
         (SMALL, 0.001, 0.0, HOLDS),
         (SMALL, 0.1, 0.0, DOES_NOT_HOLD),
         (NUMBER | {"not_judged": "circular"}, 0.56, 0.0, NOT_JUDGED),
+        # What is around words was not read; a number stands for itself.
+        (SMALL | {"read": "abstract"}, 0.001, 0.0, COMPATIBLE),
+        (SMALL | {"read": "opening"}, 0.1, 0.0, NOT_COMPATIBLE),
+        (SMALL | {"read": "abstract", "not_judged": "no value"}, 0.1, 0.0, OUT_OF_REACH),
+        (SMALL | {"read": "all"}, 0.1, 0.0, DOES_NOT_HOLD),
+        (NUMBER | {"read": "abstract"}, 0.5651, 1e-9, NOT_REPRODUCED),
         # An error never counts in favour, neither just outside nor just inside.
         (NUMBER, 0.567, 0.003, UNDECIDED),
         (NUMBER, 0.563, 0.003, UNDECIDED),

@@ -19,6 +19,7 @@ from job import job
 COLUMNS = {
     "quantity": "quantity",
     "paper_place": "paper_place",
+    "read": "read",
     "printed": "printed",
     "computed": "computed",
     "numerical_error": "numerical error",

@@ -21,11 +21,14 @@ from docutils.core import publish_parts
 from captions import read_texts
 from granular_fronts.output.files import complete_file
 from granular_fronts.output.statements import (
+    COMPATIBLE,
     DOES_NOT_HOLD,
     HOLDS,
+    NOT_COMPATIBLE,
     NOT_JUDGED,
     NOT_REPRODUCED,
     OTHER_PARAMETERS,
+    OUT_OF_REACH,
     REPRODUCED,
     UNDECIDED,
 )
@@ -38,11 +41,14 @@ PAPER_TABLE = "paper_numbers"
 SIGNS = {
     HOLDS: ("good", "✓"),
     REPRODUCED: ("good", "✓"),
+    COMPATIBLE: ("good", "✓"),
     NOT_JUDGED: ("open", "–"),
+    OUT_OF_REACH: ("open", "–"),
     OTHER_PARAMETERS: ("open", "–"),
     UNDECIDED: ("open", "?"),
     DOES_NOT_HOLD: ("bad", "✗"),
     NOT_REPRODUCED: ("bad", "✗"),
+    NOT_COMPATIBLE: ("bad", "✗"),
 }
 """Class and sign of each verdict, so that it can be read without its colour."""
 

@@ -5,6 +5,7 @@ project: a mapping of
 
 - `quantity`: what is measured, in words;
 - `kind`: `number`, `inequality` or `words` of the paper, or a `finding` of this project;
+- `read`: what was read of the paper of others, its `abstract`, `opening`, `numbers` or `all`;
 - `printed`: the number, inequality or words that the paper prints; none for a finding;
 - `within`: half-width around a printed number, where it is not half a unit of its last digit;
 - `criterion`: what words and findings are judged by, in one of the forms below;
@@ -19,6 +20,9 @@ project: a mapping of
 A statement of the paper holds for the paper's parameters.  If a dataset does not have the
 parameters of the reference configuration, its statement is measured but not judged; tolerances may
 differ.
+
+Words mean what their paper says around them.  Where that was not read, they are compatible with
+what is measured or not, or out of reach, but they neither hold nor fail.
 
 A statement allows a range of values.  A printed number allows all that rounds to it, and a printed
 inequality one side of its limit.  Words allow what a criterion says, in one of the forms ::
@@ -52,6 +56,7 @@ if TYPE_CHECKING:
 
 REPRODUCED, NOT_REPRODUCED = "reproduced", "not reproduced"
 HOLDS, DOES_NOT_HOLD = "holds", "does not hold"
+COMPATIBLE, NOT_COMPATIBLE, OUT_OF_REACH = "compatible", "not compatible", "out of reach"
 UNDECIDED, NOT_JUDGED, OTHER_PARAMETERS = "undecided", "not judged", "other parameters"
 
 ANSWERS = {
@@ -61,6 +66,8 @@ ANSWERS = {
     "finding": (HOLDS, DOES_NOT_HOLD),
 }
 """Names of a true and of a false statement."""
+
+READ = ("abstract", "opening", "numbers", "all")
 
 UNMEASURED = Estimate(math.nan, math.nan)
 
@@ -86,13 +93,22 @@ def scenes_of(statement: Mapping[str, Any]) -> list[str]:
     return [scene] if isinstance(scene, str) else scene
 
 
+def answers_to(statement: Mapping[str, Any]) -> tuple[str, str, str]:
+    """Return the names of a true statement, of a false one, and of one that is not judged."""
+    kind, read = statement["kind"], statement.get("read", "all")
+    for key, value, known in (("kind", kind, ANSWERS), ("read", read, READ)):
+        if value not in known:
+            raise InputError(
+                f"{key} of “{statement['quantity']}” is {value}: write one of {', '.join(known)}."
+            )
+    if kind == "words" and read != "all":
+        return COMPATIBLE, NOT_COMPATIBLE, OUT_OF_REACH
+    return *ANSWERS[kind], NOT_JUDGED
+
+
 def criterion_of(statement: Mapping[str, Any]) -> str:
     """Return the criterion of a statement in words and numbers; empty if it is not judged."""
-    if statement["kind"] not in ANSWERS:
-        raise InputError(
-            f"kind of “{statement['quantity']}” is {statement['kind']}: write one of "
-            f"{', '.join(ANSWERS)}."
-        )
+    answers_to(statement)
     if "not_judged" in statement:
         return ""
     for key in ("printed", "criterion"):
@@ -110,13 +126,13 @@ def criterion_of(statement: Mapping[str, Any]) -> str:
 
 
 def verdict_on(statement: Mapping[str, Any], measured: Estimate) -> str:
-    """Return the reproduced or not, holds or does not hold, undecided, or not judged."""
+    """Return one of the `answers_to` a statement, or that it stays undecided."""
+    true, false, not_judged = answers_to(statement)
     if "not_judged" in statement:
-        return NOT_JUDGED
+        return not_judged
     answer = judge(range_of_criterion(criterion_of(statement)), measured)
     if answer is None:
         return UNDECIDED
-    true, false = ANSWERS[statement["kind"]]
     return true if answer else false
 
 
