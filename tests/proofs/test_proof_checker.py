@@ -26,12 +26,12 @@ from projects import ROOT
 def test_certificates_prove_what_they_proved(name):
     record, known = proved(name), PROVED[name]
     assert record["proved"], record["reason"]
-    assert record["numbers"] == pytest.approx(known["numbers"], rel=1e-9)
-    assert record["error"] == pytest.approx(known["error"], rel=1e-9)
+    assert record["numbers"] == pytest.approx(known["numbers"], rel=1e-9, abs=0)
+    assert record["error"] == pytest.approx(known["error"], rel=1e-9, abs=0)
     assert [one["name"] for one in record["inequalities"]] == list(known["inequalities"])
     for one in record["inequalities"]:
         sides = one["left"], one["right"]
-        assert sides == pytest.approx(known["inequalities"][one["name"]], rel=1e-9, abs=1e-13)
+        assert sides == pytest.approx(known["inequalities"][one["name"]], rel=1e-9, abs=1e-18)
         assert one["margin"] == one["right"] - one["left"] > 0
 
 
@@ -92,10 +92,11 @@ def reflected(cells):
     return (cells * (-1.0) ** np.arange(cells.shape[-1]))[..., ::-1, :].copy()
 
 
-def step(cells):
-    cells = np.zeros_like(cells)
-    cells[..., : cells.shape[-2] * 4 // 5, 0] = 1
-    return cells
+def short_window(data):
+    """p₊ longer than the window, with arrays of the lengths that follow."""
+    data["sizes"][8] = reach = 2 * len(data["correction"]) // data["sizes"][2]
+    cells = (reach + data["sizes"][9]) * data["sizes"][2] * data["sizes"][3]
+    data["inverse_ahead"] = np.zeros((1, cells), dtype=np.int32)
 
 
 def front_of_the_other_damping(data):
@@ -109,35 +110,21 @@ LIES = {
         "the fields are": {
             "one missing": lambda data: data.pop("correction"),
             "one of the expansion missing": lambda data: data.pop("roots"),
-            "one too many": setting(proved=[1]),
             "a third weight": changed("weights", lambda f: np.append(f, 3.0)),
         },
         "profile is": {
             "infinite": changed("profile", at((0, 100, 0), np.inf)),
             "in single precision": changed("profile", lambda f: f.astype(np.float32)),
             "of no power of s": changed("profile", lambda f: f[:0]),
-            "of one axis less": changed("profile", lambda f: f[0]),
         },
         "gamma is": {
-            "in doubles": setting(gamma=[3.0, 10.0, 3.0, 10.0]),
             "one fraction": setting(gamma=[3, 10]),
-            "over 0": setting(gamma=[3, 0, 3, 0]),
             "over −10": setting(gamma=[-3, -10, -3, -10]),
         },
-        "weights is": {"not a number": changed("weights", at(0, np.nan))},
         "gamma falls": {"by little": setting(gamma=[3 * 10**15 + 1, 10**16, 3, 10])},
-        "alpha falls": {"by little": setting(alpha=[3, 2, 15 * 10**14 - 1, 10**15])},
-        "gamma > 0": {
-            "negative": setting(gamma=[-3, 10, -3, 10]),
-            "zero": setting(gamma=[0, 1, 0, 1]),
-            "in part": setting(gamma=[0, 1, 3, 10]),
-        },
-        "alpha > 1": {
-            "one": setting(alpha=[1, 1, 1, 1]),
-            "in part": setting(alpha=[1, 1, 3, 2]),
-        },
+        "gamma > 0": {"in part": setting(gamma=[0, 1, 3, 10])},
+        "alpha > 1": {"in part": setting(alpha=[1, 1, 3, 2])},
         "sizes are": {
-            "negative": changed("sizes", lambda f: -f),
             "huge": changed("sizes", at(0, 2**62)),
             "zero": changed("sizes", at(5, 0)),
         },
@@ -149,27 +136,17 @@ LIES = {
             "a cell lost": changed("profile", lambda f: f[:, 1:]),
             "a row lost": changed("correction", lambda f: f[:-1]),
             "a place lost": changed("inverse", lambda f: f[:, :-1]),
-            "other cells": changed("sizes", at(2, 21)),
-            "a shorter window": changed("sizes", at(5, 3)),
-            "p and q exchanged": changed("sizes", lambda f: f[[0, 1, 2, 4, 3, 5, 6]]),
         },
-        "|a(ū)/α − 1| behind −c": {
-            "no front": changed("profile", np.zeros_like),
-            "a reflected front": changed("profile", reflected),
-        },
+        "|a(ū)/α − 1| behind −c": {"a reflected front": changed("profile", reflected)},
         "‖e‖": {
             "no inverse": changed("inverse", np.zeros_like),
-            "inverse reversed": changed("inverse", lambda f: f[:, ::-1].copy()),
             "inverse that varies with γ": changed("inverse", lambda f: np.append(f, f, 0)),
         },
         "Z1 < 1": {
             "half of γ wrong": setting(gamma=[3, 10, 5, 10]),
-            "a step": changed("profile", step),
             "a front that varies with γ": changed("profile", lambda f: np.append(f, 0.1 * f, 0)),
             "inverse cut to a bead": changed("inverse", at((0, slice(6400, None)), 0)),
             "no matrix": changed("correction", np.zeros_like),
-            "matrix transposed": changed("correction", lambda f: f.T.copy()),
-            "one entry wrong": changed("correction", at((150, 150), 32767)),
         },
         "Z1 + Z2(r) < 1": {
             "γ = 0.31": setting(gamma=[31, 100, 31, 100]),
@@ -185,19 +162,14 @@ LIES = {
             "a cell lost": changed("strain", lambda rows: rows[1:]),
             "a row lost": changed("correction", lambda f: f[:-1]),
             "inverse ahead twice": changed("inverse_ahead", lambda f: np.append(f, f, axis=0)),
-            "p and q exchanged": changed("sizes", lambda f: f[[0, 1, 2, 3, 5, 4, 6, 7, 8, 9]]),
             "two weights": changed("weights", lambda f: f[:2]),
         },
-        "‖e‖ behind": {
-            "no inverse": changed("inverse_behind", np.zeros_like),
-            "inverse reversed": changed("inverse_behind", lambda f: f[:, ::-1].copy()),
-        },
+        "‖e‖ behind": {"reversed": changed("inverse_behind", lambda f: f[:, ::-1].copy())},
         "‖e‖ ahead": {"reversed": changed("inverse_ahead", lambda f: f[:, ::-1].copy())},
+        "p₊ < M + b + 1": {"a window shorter than its inverse": short_window},
         "Z1 < 1": {
             "γ up to 0.31": setting(gamma=[3, 10, 31, 100]),
-            "no front": changed("strain", np.zeros_like),
             "no inverse ahead": changed("inverse_ahead", np.zeros_like),
-            "matrix transposed": changed("correction", lambda f: f.T.copy()),
         },
         "Z1 + Z2(r) < 1": {"β = α": front_of_the_other_damping},
     },
@@ -233,10 +205,7 @@ LATE_LIES = {
             "beyond the slowest": changed("weights", at(0, 1.5)),
         },
         "eta < 2 theta": {"beyond": changed("weights", at(1, 2.9))},
-        "all roots up to eta": {
-            "below the pair": changed("weights", at(1, 1.9)),
-            "the pair alone": changed("roots", lambda f: f[1:]),
-        },
+        "all roots up to eta": {"the pair alone": changed("roots", lambda f: f[1:])},
         "more than one real root": {
             "the slowest twice": changed("roots", lambda f: f[[0, 0]]),
             "a pair for the real root": changed("roots", at((0, 1), 1e-12)),
@@ -255,20 +224,15 @@ LATE_LIES = {
             "of three starts": changed("starts", lambda f: f[:3]),
         },
         "nearly linear behind x0": {"x0 in the front": changed("starts", at(0, 0))},
-        "‖e‖ of the slow_inverse": {
-            "zero": changed("slow_inverse", np.zeros_like),
-            "misplaced": changed("starts", at(1, -800)),
-        },
+        "‖e‖ of the slow_inverse": {"misplaced": changed("starts", at(1, -800))},
         "‖e‖ of the fast_inverse": {"zero": changed("fast_inverse", np.zeros_like)},
         "an inverse does not cover": {"far away": changed("starts", at(2, -(2**40)))},
     },
     "dashpots": {
         "theta > 0": {"negative": changed("weights", at(0, -0.5))},
-        "no root up to theta": {"beyond the slowest": changed("weights", at(0, 1.5))},
-        "sigma(nu1) > 0": {
-            "beyond mu": changed("weights", at(1, 2.3)),
-            "negative": changed("weights", at(1, -1.0)),
-        },
+        # Beyond the slowest root of γ/α, not of γ.
+        "no root up to theta": {"beyond the slowest": changed("weights", at(0, 1.45))},
+        "sigma(nu1) > 0": {"beyond mu": changed("weights", at(1, 2.3))},
         "sigma(nu2) < 0": {"below mu": changed("weights", at(2, 2.2))},
         "nu2 < alpha nu1": {"beyond": changed("weights", at(2, 2.9))},
         "nu2 > 0": {"negative": changed("weights", at(2, -5.0))},

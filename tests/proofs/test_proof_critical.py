@@ -1,10 +1,11 @@
 """Critical damping proved: fronts that oscillate behind, monotone ones, and the crossing."""
 
 from fractions import Fraction
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from certificates import load
+from certificates import enclosed, load
 from flint import acb, arb
 
 import granular_fronts as gf
@@ -131,15 +132,49 @@ def test_nothing_leads_from_amplitudes_that_are_not_certain(real, pair):
         lead(real, pair)
 
 
+def said(*found):
+    """The numbers of parts, and the number of statements."""
+    law = Part(arb(1.5), arb(0.263))
+    law.numbers = {}
+    return law.numbers, len(list(rear_expansion._statements(law, found)))
+
+
 @pytest.mark.parametrize("exchanged", [True, False])
 def test_parts_in_another_order_say_nothing(monkeypatch, exchanged):
     """Monotone fronts below those that oscillate are no critical damping."""
     monkeypatch.setattr(rear_expansion, "_exchanged", lambda front: exchanged)
     pair, real = ("pair", RATE, arb(1), False), ("real", RATE, arb(1), True)
-    law = Part(arb(1.5), arb(0.263))
-    law.numbers = {}
-    assert list(rear_expansion._statements(law, [real, pair])) == []
-    assert list(rear_expansion._statements(law, [pair, (*real[:3], False)])) == []
-    assert law.numbers == {}
-    assert len(list(rear_expansion._statements(law, [pair, real]))) == 1
-    assert law.numbers == ({"critical": 1.0} if exchanged else {})
+    assert said(real, pair) == said(pair, (*real[:3], False)) == ({}, 0)
+    assert said(pair, real) == ({"critical": 1.0} if exchanged else {}, 1)
+
+
+def test_bounds_and_statements_hold_on_all_parts():
+    low, high = ("real", acb(1.9), arb(1), True), ("real", acb(2.0), arb(3), True)
+    bounds = {"rate_low": 1.9, "rate_high": 2.0, "amplitude_low": 1.0, "amplitude_high": 3.0}
+    for parts in ((low, high), (high, low)):
+        assert said(*parts) == (pytest.approx(bounds | {"monotone": 1.0}, rel=1e-9), 2)
+        assert said(*parts, (*low[:3], False)) == (pytest.approx(bounds, rel=1e-9), 1)
+
+
+def test_parts_cover_the_interval_of_damping():
+    front = SimpleNamespace(middle=arb(0.3), half=arb(0.1), at=lambda s: (s, s), inequalities=[1])
+    parts = [rear_expansion._part(front, k, 3) for k in range(3)]
+    ends = [[float(end(part.gamma)) for end in (arb.lower, arb.upper)] for part in parts]
+    np.testing.assert_allclose(ends, [[0.2, 0.8 / 3], [0.8 / 3, 1 / 3], [1 / 3, 0.4]], rtol=1e-8)
+    for part in parts:
+        assert part.gamma.contains(part.middle)
+        assert abs(part.P * front.half + front.middle - part.gamma) < 0.1
+        assert part.inequalities == []
+
+
+@pytest.mark.parametrize("place", ["u_low", "u_high", "outer_kappa"])
+def test_what_is_far_from_1_behind_is_not_expanded(place):
+    """In a cell far behind, below or above 1, or behind all cells."""
+    front = enclosed("monotone")
+    with in_balls():
+        value = getattr(front, place)
+        value = [1 / front.r, value[1]] if place == "outer_kappa" else value.copy()
+        if place != "outer_kappa":
+            value[20] += 1 if place == "u_high" else -1
+        with pytest.raises(NotProvedError, match=r"u − 1. behind x0"):
+            list(enclosed("monotone", **{place: value}).rear())

@@ -16,7 +16,12 @@ from granular_fronts.proofs import balls, certificate, stored
 from granular_fronts.proofs.balls import in_balls
 from granular_fronts.proofs.certificate import prove_front, rational
 from granular_fronts.proofs.families import join, prove, prove_family, record
-from granular_fronts.proofs.intervals import CONCLUSIONS, _require_conclusion, prove_interval
+from granular_fronts.proofs.intervals import (
+    CONCLUSIONS,
+    _require_conclusion,
+    _require_place,
+    prove_interval,
+)
 
 ENDS = ("0.3", "0.302", "0.304")
 
@@ -96,21 +101,42 @@ def shifted(front):
         setattr(front, name, [*pieces[1:], pieces[-1]])
 
 
+def of_another_law(front):
+    front.data = front.data | {"alpha": np.array([3, 1, 3, 1])}
+
+
 def test_other_fronts_and_intervals_that_do_not_meet_are_not_joined(known):
     first, second = map(copy, known)
+    lies = (lifted, "translate"), (shifted, "shift below a cell"), (of_another_law, "do not meet")
     with in_balls():
         join(first, second)
         for pair in ((second, first), (first, first)):
             with pytest.raises(balls.NotProvedError, match="do not meet"):
                 join(*pair)
-        for change, broken in ((lifted, "translate"), (shifted, "shift below a cell")):
+        for change, broken in lies:
             first, second = map(copy, known)
+            second.inequalities = []
             change(second)
             with pytest.raises(balls.NotProvedError, match=broken):
                 join(first, second)
 
 
-@pytest.mark.slow
+def test_fronts_of_other_windows_are_joined(known):
+    """Outside its cells a front is 1 behind and 0 ahead, nearly as the other is there."""
+    totals = []
+    for beads in (0, 1):
+        first, second = map(copy, known)
+        cells = slice(beads * second.n, len(second.strain) - beads * second.n)
+        for name in ("profile", "strain", "rho", "kappa"):
+            setattr(second, name, getattr(second, name)[cells])
+        second.left, second.M, second.inequalities = second.left - beads, second.M - beads, []
+        with in_balls():
+            join(first, second)
+        totals.append(second.inequalities[-1]["left"])
+    assert totals[1] == pytest.approx(totals[0], rel=1e-7)
+
+
+@pytest.mark.slow  # Makes and proves certificates.
 def test_what_is_not_proved_is_made_anew_and_the_rest_is_kept(folder, tmp_path):
     """A certificate of another interval, and none, in the place of the second."""
     first, second = sorted(folder.glob("*.npz"))
@@ -123,7 +149,7 @@ def test_what_is_not_proved_is_made_anew_and_the_rest_is_kept(folder, tmp_path):
     assert (tmp_path / second.name).read_bytes() != first.read_bytes()
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # Makes and proves two certificates.
 def test_boxes_of_alpha_and_gamma_are_one_family(tmp_path):
     """About the Hertz chain: α = 3/2 ± 1/5000, two intervals of γ."""
     alpha, ends = ("7499/5000", "7501/5000"), ("0.3", "0.301", "0.302")
@@ -146,11 +172,14 @@ def test_boxes_of_alpha_and_gamma_are_one_family(tmp_path):
 def test_impossible_numbers_and_fronts_that_are_not_found_are_refused(tmp_path, monkeypatch):
     with pytest.raises(InputError, match="six decimals"):
         next(prove_interval("3/2", "0.30000001", "0.31", tmp_path))
-    with pytest.raises(InputError, match="exchange its ends"):
-        prove_front("3/2", ("0.31", "0.3"), tmp_path / "file.npz")
-    for alpha in ("three halves", "1", f"{10**18}/3"):
-        with pytest.raises(InputError, match=r"^alpha is .* must be a number above 1"):
-            prove_front(alpha, "0.3", tmp_path / "file.npz")
+    for arguments, words in (
+        (("3/2", ("0.31", "0.3")), "exchange its ends"),
+        *(((alpha, "0.3"), "^alpha is .* above 1") for alpha in ("three", "1", f"{10**18}/3")),
+    ):
+        with pytest.raises(InputError, match=words):
+            prove_front(*arguments, tmp_path / "file.npz")
+    with pytest.raises(InputError, match="beta is 2"):
+        prove_front("3/2", "0.3", tmp_path / "file.npz", beta=2)
     assert rational(0.1) == Fraction(1, 10)
     with pytest.raises(InputError, match="more than 18 digits"):
         stored.integers(2**63)
@@ -172,3 +201,18 @@ def test_wide_interval_that_concludes_nothing_is_made_narrower():
         *((silent, {name: 1.0}) for name in CONCLUSIONS),
     ):
         _require_conclusion(SimpleNamespace(data=data, numbers=numbers))
+
+
+def test_certificate_in_the_folder_counts_for_its_own_interval_and_law_only():
+    kept = SimpleNamespace(
+        data={"alpha": np.array([3, 2] * 2), "gamma": np.array([3, 10, 31, 100])}
+    )
+    alpha, at, high = (Fraction(3, 2),) * 2, Fraction(3, 10), Fraction(32, 100)
+    _require_place(kept, alpha, at, high)
+    for place in (
+        ((Fraction(2),) * 2, at, high),
+        (alpha, Fraction(29, 100), high),
+        (alpha, at, Fraction(305, 1000)),
+    ):
+        with pytest.raises(balls.NotProvedError, match="another interval"):
+            _require_place(kept, *place)

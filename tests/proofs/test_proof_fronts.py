@@ -15,7 +15,7 @@ FIGURES = {
 }
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # Makes and proves a certificate.
 @pytest.mark.parametrize("figure", FIGURES)
 def test_fronts_of_the_paper(figure, tmp_path):
     """γ (1/10)^(−1/4), enclosed by fractions: the fourth powers prove it; docs/proofs.md."""
@@ -50,7 +50,7 @@ def test_other_fronts(case, tmp_path):
     assert check_certificate(tmp_path / "front.npz") == record
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # Makes and proves a certificate.
 def test_a_front_may_be_proved_without_the_expansion_behind(monkeypatch, tmp_path):
     checks = []
 

@@ -5,7 +5,6 @@ import pytest
 import scipy.linalg
 from certificates import enclosed
 from flint import arb
-from scipy.interpolate import CubicSpline
 
 import granular_fronts as gf
 from granular_fronts.fronts.linear.floquet import monodromy_matrix
@@ -44,20 +43,9 @@ def sums_ahead(f):
     return np.cumsum(f[::-1], axis=0)[::-1]
 
 
-def falling(a, _):
+def falling(a):
     """q of fronts that fall."""
     return 0.5 / a
-
-
-def least(a, bead, gamma=0.1, step=1 / 2000):
-    """The least q with equality, up to where it may jump to 1/(2a)."""
-    xi = np.arange(-40.0, 2.0, step)
-    between = stiffness(gf.evaluate_front(gf.solve_front(ALPHA, gamma), xi + step / 2))
-    q = [0.5 / ALPHA]
-    for one in between:
-        if one > between.max() - 1e-6 or q[-1] >= 0.5 / one or len(q) < between.argmax():
-            q.append(q[-1] + step * one / gamma * (q[-1] - 0.5 / one) ** 2)
-    return np.where(bead < xi[len(q) - 1], np.interp(bead, xi[: len(q)], q), 0.5 / a)
 
 
 def growth(gamma, weight, beta=ALPHA):
@@ -75,24 +63,21 @@ def growth(gamma, weight, beta=ALPHA):
     kicks = kicks.reshape(2 * u.size, 2, u.size)[:, :, kicked].reshape(2 * u.size, -1)
     w, d = (matrix @ kicks).reshape(u.size, 2, -1).transpose(1, 0, 2)
     x, j = sums_ahead(w), sums_ahead(sums_ahead(d))[1:]
-    bead = np.arange(u.size) - 40 + front.bead[0]
-    scale = np.sqrt(2 * weight(stiffness(np.maximum(u, 1e-12)), bead))
+    scale = np.sqrt(2 * weight(stiffness(np.maximum(u, 1e-12))))
     moved = np.concatenate([x, scale[:-1, None] * j])
     return scipy.linalg.svdvals(moved / np.concatenate([np.ones(kicked.size), scale[kicked]]))[0]
 
 
 @pytest.mark.parametrize(
     ("gamma", "weight", "beta"),
-    [(0.3, falling, ALPHA), (0.1, least, ALPHA), (1.0, falling, 1.0)],
+    [(0.3, falling, ALPHA), (1.0, falling, 1.0)],
 )
 def test_computed_monodromy_lets_no_kick_grow(gamma, weight, beta):
     """In the norm of Lemma 28, for which the window is nothing but long."""
     assert 0.99 < growth(gamma, weight, beta) < 1.0
 
 
-@pytest.mark.parametrize(
-    ("gamma", "weight"), [(0.1, falling), (0.05, falling), (0.3, lambda a, _: 2.0 / a)]
-)
+@pytest.mark.parametrize(("gamma", "weight"), [(0.05, falling), (0.3, lambda a: 2.0 / a)])
 def test_kicks_grow_in_a_norm_without_the_condition(gamma, weight):
     assert growth(gamma, weight) > 1.002
 
@@ -110,36 +95,9 @@ def test_computed_multipliers_are_those_of_the_page():
 # The condition.
 
 
-def lowest_form(gamma):
-    """The least ∫ ((γ/a) |j'|² + (1/a)' |j|²/2) / ∫ |j|²/a; q exists where it is positive."""
-    front = gf.solve_front(ALPHA, gamma)
-    step = 1 / 40
-    xi = np.arange(-60.0, 2.0, step)
-    inverse = 1 / stiffness(gf.evaluate_front(front, xi))
-    between = 1 / stiffness(gf.evaluate_front(front, xi[:-1] + step / 2))
-    potential = np.diff(between) / (2 * step)
-    diagonal = potential + gamma * (between[1:] + between[:-1]) / step**2
-    scale = np.sqrt(inverse[1:-1])
-    return scipy.linalg.eigvalsh_tridiagonal(
-        diagonal / scale**2,
-        -gamma * between[1:-1] / step**2 / (scale[1:] * scale[:-1]),
-        select="i",
-        select_range=(0, 0),
-    )[0]
-
-
 def said(front):
     with in_balls():
         return list(stable(front))
-
-
-@pytest.mark.slow
-def test_condition_holds_where_its_quadratic_form_is_positive(tmp_path):
-    """The front of γ = 0.085 is shown to be stable, that of 0.08 is not."""
-    assert lowest_form(0.0835) > 0 > lowest_form(0.082)
-    for gamma, shown in ((0.085, True), (0.08, False)):
-        numbers = gf.prove_front("3/2", gamma, tmp_path / "front.npz")["numbers"]
-        assert ("stable" in numbers) == shown
 
 
 @pytest.mark.parametrize("name", ["monotone", "dashpots"])
@@ -164,9 +122,6 @@ def test_nothing_is_said_of_what_is_not_shown(name):
         assert said(enclosed(name, **lie)) == []
 
 
-# What translation and the speed do.
-
-
 def test_strain_behind_the_cells_is_halved_as_stated():
     """Lemma 31, for a front computed to the last digit; q begins above 1/(2α)."""
     monotone = enclosed("monotone")
@@ -178,30 +133,3 @@ def test_strain_behind_the_cells_is_halved_as_stated():
         q = _behind(monotone)
         assert q > 1 / (2 * monotone.alpha)
         assert q < 1 / (2 * monotone.alpha) + monotone.outer_kappa[0] * monotone.r
-
-
-def test_no_kick_grows_with_time_like_translation():
-    """W = K*h + f for W = minus the change of the front with its speed; W → −2/(α − 1) behind.
-
-    u = c^(2/(α − 1)) U(ξ; cγ) is a front of speed c.
-    """
-    gamma, step, change = 0.3, 1 / 200, 1e-3
-    xi = np.arange(-20.0, 5.0, step)
-    slow, usual, fast = (
-        gf.evaluate_front(gf.solve_front(ALPHA, gamma * (1 + e)), xi) for e in (-change, 0, change)
-    )
-    u = np.maximum(usual, 0.0)
-    W = -2 / (ALPHA - 1) * u - (fast - slow) / (2 * change)
-    h = stiffness(u) * W
-    P = CubicSpline(xi, u**ALPHA)
-    once, twice = (CubicSpline(xi, h).antiderivative(k) for k in (1, 2))
-    inner = xi[(xi > -15) & (xi < 4)]
-
-    def second(f):
-        return f(inner + 1) - 2 * f(inner) + f(inner - 1)
-
-    convolved = second(twice) - gamma * second(once)
-    source = 2 * np.interp(inner, xi, u) + gamma * second(P.antiderivative(1))
-    defect = np.interp(inner, xi, W) - convolved - source
-    assert W[0] == pytest.approx(-2 / (ALPHA - 1), rel=1e-6)
-    assert abs(defect).max() < 1e-4
