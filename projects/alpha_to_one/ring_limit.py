@@ -24,20 +24,19 @@ def ring_limit(damping: xr.Dataset, mu: xr.Dataset) -> Figure:
     damping, mu : xarray.Dataset
         Campaigns of rings at fixed γc and μ, from the slow manifold.
     """
-    figure, panels = new_figure(3.4, [["damping", "mu"]])
+    figure, panels = new_figure(4.6, [["damping"], ["mu"]], sharex=True, sharey=True)
     middle = damping["damping"].values[damping.sizes["damping"] // 2]
     least = mu["mu"].values.min()  # where dispersion matters most
     _draw_limit(panels["damping"], damping, damping=middle)
     _draw_limit(panels["mu"], mu, mu=least)
     panels["damping"].set_title(rf"damping fixed, $\gamma c = {middle:g}$")
     panels["mu"].set_title(rf"$\mu = {least:g}$ fixed: $\gamma c$ falls with $\varepsilon$")
-    panels["damping"].set_ylabel(ERROR_LABEL)
-    panels["mu"].sharey(panels["damping"])
     for axes in panels.values():
         epsilon = axes.get_lines()[0].get_xdata()
         axes.plot(epsilon, epsilon, ":", color="0.6", label="$\\varepsilon$ itself")
+    axes.set_xlabel(r"$\varepsilon = (1 - 1/\alpha)/\gamma c$")
     handles, labels = panels["damping"].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=4)
+    figure.legend(handles, labels, loc="outside upper center", ncols=2)
     return figure
 
 
@@ -45,9 +44,9 @@ def _draw_limit(axes: Axes, campaign: xr.Dataset, **place: float) -> None:
     """Draw largest errors of u against ε at a place of further axes."""
     for (model, look), marker in zip(MODEL_LOOKS.items(), MARKERS, strict=True):
         epsilon, error, _ = selected(campaign, f"{SUP}_{model}", **place)
-        marks: dict[str, Any] = {"marker": marker, "markersize": 4, "fillstyle": "none"}
+        marks: dict[str, Any] = {"marker": marker, "fillstyle": "none"}
         axes.plot(epsilon, error, **marks, **look._asdict())
-    axes.set(xscale="log", yscale="log", xlabel=r"$\varepsilon = (1 - 1/\alpha)/\gamma c$")
+    axes.set(xscale="log", yscale="log", ylabel=ERROR_LABEL)
 
 
 if __name__ == "__main__":

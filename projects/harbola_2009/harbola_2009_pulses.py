@@ -22,7 +22,7 @@ def harbola_2009_pulses(pulses: xr.Dataset, losses: xr.Dataset) -> Figure:
     losses : xarray.Dataset
         Loss of energy over that of binary collisions for several tapers.
     """
-    figure, panels = new_figure(3.4, [["speed", "compression", "loss"]])
+    figure, panels = new_figure(2.5, [["speed", "compression", "loss"]])
     speed, compression, loss = panels.values()
     near = pulses.sel(contact=CONTACTS)
     between = near["contact"].values[:-1] + 0.5
@@ -30,21 +30,21 @@ def harbola_2009_pulses(pulses: xr.Dataset, losses: xr.Dataset) -> Figure:
         one = near.sel(chain=name)
         speed.plot(between, 1.0 / np.diff(one["time"]), color=color, label=name)
         collisions = 1.0 / np.diff(one["time_of_collisions"])
-        speed.plot(between[::4], collisions[::4], "o", color=color, ms=2.5)
+        speed.plot(between[::4], collisions[::4], "o", color=color, ms=2)
         ratio = one["compression_of_collisions"] / one["compression"]
         compression.plot(one["contact"], ratio, color=color)
     for sign, marker, line, name in ((1, "o", ":", "heavier"), (-1, "s", "--", "lighter")):
         side = losses.isel(taper=np.flatnonzero(sign * losses["taper"].values > 0))
         size = np.abs(side["taper"])
-        loss.plot(size, side["loss_ratio"], f"k{marker}", ms=3.5, label=f"to {name}")
-        loss.plot(size, side["loss_ratio_theory"], f"k{line}", lw=0.8)
+        loss.plot(size, side["loss_ratio"], f"k{marker}", label=f"to {name}")
+        loss.plot(size, side["loss_ratio_theory"], f"k{line}", lw=0.6)
     speed.set(xlabel="contact $n$", ylabel="speed of the pulse", yscale="log")
     speed.set_yticks(SPEEDS, map(str, SPEEDS))
     speed.minorticks_off()
     compression.set(xlabel="contact $n$", ylabel="compression over exact one")
     loss.set(xlabel=r"taper $|\varepsilon|$", ylabel="loss over that of collisions", xscale="log")
     loss.legend()
-    figure.legend(*speed.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+    figure.legend(*speed.get_legend_handles_labels(), loc="outside lower center", ncols=5)
     return figure
 
 

@@ -19,18 +19,19 @@ def hard_cases(data: xr.Dataset) -> Figure:
     data : xarray.Dataset
         Written by solve_hard_cases.
     """
-    figure, panels = new_figure(1.2 + 0.15 * data.sizes["case"], [["cases"]])
+    figure, panels = new_figure(0.8 + 0.13 * data.sizes["case"], [["cases"]])
     axes, places = panels["cases"], -np.arange(data.sizes["case"])
     passed = (data["error"] <= data["limit"]).values
     # What is no number is drawn at the right edge.
     error = np.clip(data["error"].fillna(1.0).values, SMALLEST_ERROR, LARGEST_ERROR)
-    axes.plot(data["limit"], places, "|", color="0.55", markersize=8, label="limit")
-    axes.plot(error[passed], places[passed], "o", color=PROBE_COLOURS[1], ms=4, label="passed")
-    axes.plot(error[~passed], places[~passed], "D", color=ALARM_COLOUR, ms=4, label="failed")
-    axes.set_yticks(places, data["case"].values, fontsize=8)
+    axes.plot(data["limit"], places, "|", color="0.55", markersize=6, label="limit")
+    axes.plot(error[passed], places[passed], "o", color=PROBE_COLOURS[1], label="passed")
+    axes.plot(error[~passed], places[~passed], "D", color=ALARM_COLOUR, label="failed")
+    axes.set_yticks(places, data["case"].values)
     axes.set(xscale="log", xlabel="error", xlim=(0.5 * SMALLEST_ERROR, 2.0 * LARGEST_ERROR))
     axes.grid(axis="y", linewidth=0.3)
-    axes.legend(loc="upper right")
+    axes.set_ylim(places[-1] - 0.7, 0.7)
+    figure.legend(loc="outside upper center", ncols=3)
     return figure
 
 

@@ -20,7 +20,7 @@ def honest_errors(chains: xr.Dataset, fronts: xr.Dataset, rings: xr.Dataset) -> 
     chains, fronts, rings : xarray.Dataset
         Written by measure_honest_errors.
     """
-    figure, panels = new_figure(3.4, [["shares"]])
+    figure, panels = new_figure(2.8, [["shares"]])
     axes, problems = panels["shares"], {"chains": chains, "exact fronts": fronts, "rings": rings}
     for (kind, data), colour, line in zip(
         problems.items(), PROBE_COLOURS, PROBE_STYLES, strict=False
@@ -33,13 +33,13 @@ def honest_errors(chains: xr.Dataset, fronts: xr.Dataset, rings: xr.Dataset) -> 
     axes.fill_between([TWICE, TENFOLD], FEW, 1.0, color="0.88", linewidth=0.0)
     axes.fill_between([TENFOLD, LARGEST_RATIO], LEAST_SHARE, 1.0, color="0.78", linewidth=0.0)
     place = np.sqrt(TWICE * TENFOLD), 1.5 * FEW
-    axes.text(*place, "should be empty", rotation=90, ha="center", fontsize=8)
+    axes.text(*place, "should be empty", rotation=90, ha="center")
     axes.set(xlabel="true error / stated error", ylabel="share of numbers above")
     axes.set(xscale="log", yscale="log")
     axes.set(xlim=(LEAST_RATIO, LARGEST_RATIO), ylim=(LEAST_SHARE, 1.2))
     axes.set_xticks([0.001, 0.1, 1.0, TWICE, TENFOLD], ["0.001", "0.1", "1", "2", "10"])
     axes.minorticks_off()
-    axes.legend(loc="lower left")
+    figure.legend(loc="outside upper center")
     return figure
 
 

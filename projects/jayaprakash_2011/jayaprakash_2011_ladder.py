@@ -18,13 +18,13 @@ def jayaprakash_2011_ladder(found: xr.Dataset) -> Figure:
     found : xarray.Dataset
         Antiresonances, resonances and the attenuation between them.
     """
-    figure, panels = new_figure(3.6, [["attenuation", "attenuation", "wave"]])
+    figure, panels = new_figure(4.6, [["attenuation"], ["wave"]])
     attenuation, waves = panels.values()
-    attenuation.semilogy(found["root"], found["attenuation"], "k.-", ms=2, lw=0.7)
+    attenuation.semilogy(found["root"], found["attenuation"], "k.-", ms=2, lw=0.5)
     for ratio in found["antiresonance"].values:
-        attenuation.axvline(ratio**-0.5, color="0.6", lw=0.7, zorder=0)
+        attenuation.axvline(ratio**-0.5, color="0.6", lw=0.5, zorder=0)
     strongest = found["resonance"] ** -0.5
-    attenuation.plot(strongest, found["resonance_attenuation"], "o", mfc="none", ms=6)
+    attenuation.plot(strongest, found["resonance_attenuation"], "o", mfc="none", ms=4)
     attenuation.set(
         xlabel=r"mass ratio $\varepsilon$, at equal distances of $\varepsilon^{-1/2}$",
         ylabel="attenuation per cell",
@@ -36,7 +36,7 @@ def jayaprakash_2011_ladder(found: xr.Dataset) -> Figure:
         label = rf"$\varepsilon$ = {float(found['antiresonance'].sel(order=wave['order'])):.4f}"
         waves.plot(wave["t"], wave / wave.max(), color=color, ls=style, label=label)
     waves.set(xlabel="time in units of a cell", ylabel=r"$u/\max u$", xlim=(-2.0, 2.0))
-    figure.legend(*waves.get_legend_handles_labels(), loc="outside lower center", ncols=4)
+    figure.legend(*waves.get_legend_handles_labels(), loc="outside lower center", ncols=2)
     return figure
 
 

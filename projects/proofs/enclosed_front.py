@@ -14,7 +14,7 @@ from job import job
 VISIBLE = 0.03  # width of the enclosure that the eye sees
 FLOOR = 1e-16  # of a logarithmic axis, where the enclosure reaches 0
 BAND = "#b9cbe0"
-THIN: dict[str, Any] = {"linestyle": "-", "linewidth": 0.8}
+THIN: dict[str, Any] = {"linestyle": "-", "linewidth": 0.6}
 
 
 def enclosed_front(data: xr.Dataset) -> Figure:
@@ -29,7 +29,7 @@ def enclosed_front(data: xr.Dataset) -> Figure:
     -------
     matplotlib.figure.Figure
     """
-    figure, panels = new_figure(5.2, [["front", "errors"], ["behind", "ahead"]])
+    figure, panels = new_figure(4.0, [["front", "errors"], ["behind", "ahead"]])
     _draw_front(panels["front"], data)
     _draw_errors(panels["errors"], data)
     _draw_behind(panels["behind"], data)
@@ -47,7 +47,7 @@ def _draw_front(axes: Axes, data: xr.Dataset) -> None:
     axes.set(xlabel=r"$\xi$", ylabel="$u$", xlim=(-12, 6), title=law)
     width = f"within {_rounded_up(float(data['error'].max()))} of the line,\nband"
     words = rf"{width} drawn $10^{{{exponent}}}$ times wider"
-    axes.text(0.03, 0.06, words, transform=axes.transAxes, fontsize=8)
+    axes.text(0.03, 0.06, words, transform=axes.transAxes)
 
 
 def _rounded_up(bound: float) -> str:
@@ -64,7 +64,7 @@ def _draw_errors(axes: Axes, data: xr.Dataset) -> None:
     ):
         axes.semilogy(data["xi"], data[name], color=colour, linestyle="-", label=label)
     axes.set(xlabel=r"$\xi$", title="proved bounds of errors")
-    axes.legend(fontsize=7, loc="lower left")
+    axes.legend(loc="lower left")
 
 
 def _draw_behind(axes: Axes, data: xr.Dataset) -> None:
@@ -83,7 +83,7 @@ def _draw_behind(axes: Axes, data: xr.Dataset) -> None:
     axes.plot(xi, gap, color=CHAIN_COLOUR, label=r"$1 - \bar u$", **THIN)
     axes.set(yscale="log", xlabel=r"$\xi$", ylabel="$1 - u$", title="behind the front")
     axes.set(xlim=(float(xi[0]), 2))
-    axes.legend(fontsize=7)
+    axes.legend()
 
 
 def _draw_ahead(axes: Axes, data: xr.Dataset) -> None:
@@ -92,9 +92,9 @@ def _draw_ahead(axes: Axes, data: xr.Dataset) -> None:
     xi, low, high = rows["xi_ahead"], rows["decay_low"], rows["decay_high"]
     axes.fill_between(xi, low, high, color=BAND, linewidth=0, label="proved bounds")
     line = float(low[0]) * np.exp(np.log(data.attrs["alpha"]) * (xi - xi[0].values))
-    axes.plot(xi, line, "--", color=CHAIN_COLOUR, linewidth=0.8, label=r"slope $\ln\alpha$")
+    axes.plot(xi, line, "--", color=CHAIN_COLOUR, linewidth=0.6, label=r"slope $\ln\alpha$")
     axes.set(yscale="log", xlabel=r"$\xi$", ylabel=r"$-\ln u$", title="ahead of the front")
-    axes.legend(fontsize=7)
+    axes.legend()
 
 
 if __name__ == "__main__":

@@ -43,7 +43,7 @@ def proved_fronts(fronts: xr.Dataset, intervals: xr.Dataset) -> Figure:
     matplotlib.figure.Figure
     """
     fronts = fronts.isel(certificate=fronts["beta"].values == fronts["alpha"].values)
-    figure, panels = new_figure(6.4, [["shapes"], ["shapes"], ["errors"], ["maxima"]])
+    figure, panels = new_figure(5.4, [["shapes"], ["shapes"], ["errors"], ["maxima"]], sharex=True)
     exponents = np.unique(np.concatenate([fronts["alpha"], intervals["alpha"]]))
     _draw_shapes(panels["shapes"], fronts, intervals, exponents)
     _draw_bounds(panels["errors"], fronts, intervals, exponents, "error_bound")
@@ -62,7 +62,7 @@ def proved_fronts(fronts: xr.Dataset, intervals: xr.Dataset) -> Figure:
         axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
         axes.xaxis.set_major_formatter("{x:g}")
         axes.xaxis.set_minor_locator(NullLocator())
-    figure.legend(handles=list(_shape_marks()), loc="outside upper center", ncols=4)
+    figure.legend(handles=list(_shape_marks()), loc="outside upper center", ncols=2)
     return figure
 
 
@@ -87,7 +87,7 @@ def _draw_shapes(
         look: dict[str, Any] = {"edgecolor": colour, "linewidth": edge, "zorder": 2.0 + edge}
         axes.barh(rows, widths, THICKNESS, left=bars["gamma_low"], color=colour, **look)
         rows = np.searchsorted(exponents, marks["alpha"])
-        look = {"markeredgecolor": "black", "markersize": 7, "zorder": 5}
+        look = {"markeredgecolor": "black", "markersize": 4, "zorder": 5}
         axes.plot(marks["gamma_low"], rows, marker, linestyle="none", color=colour, **look)
     axes.set_yticks(np.arange(exponents.size), [rf"$\alpha = {alpha:g}$" for alpha in exponents])
     axes.set(ylim=(-0.6, exponents.size - 0.4), title="fronts that are proved to exist")
@@ -96,8 +96,8 @@ def _draw_shapes(
 def _shape_marks() -> Iterator[Line2D]:
     """The meaning of colours and marks."""
     for words, colour, marker in SHAPES.values():
-        look: dict[str, Any] = {"color": colour, "markeredgecolor": "black", "markersize": 7}
-        yield Line2D([], [], linestyle="-", linewidth=6, marker=marker, label=words, **look)
+        look: dict[str, Any] = {"color": colour, "markeredgecolor": "black", "markersize": 4}
+        yield Line2D([], [], linestyle="-", linewidth=4, marker=marker, label=words, **look)
 
 
 def _draw_bounds(
@@ -109,7 +109,7 @@ def _draw_bounds(
             data.isel(certificate=data["alpha"].values == alpha) for data in (intervals, fronts)
         )
         middles = np.sqrt(family["gamma_low"] * family["gamma_high"])
-        marks: dict[str, Any] = {"marker": marker, "markersize": 4, "markerfacecolor": "black"}
+        marks: dict[str, Any] = {"marker": marker, "markersize": 3, "markerfacecolor": "black"}
         label = rf"$\alpha = {alpha:g}$"
         axes.plot(middles, family[name], line, color="0.35", markevery=[], label=label, **marks)
         axes.plot(single["gamma_low"], single[name], linestyle="none", color="black", **marks)

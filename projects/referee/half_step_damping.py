@@ -1,13 +1,11 @@
 """What the step of discrete-element codes does to a front, and what does not see it."""
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 from matplotlib.ticker import NullLocator
 
 from drawing import write_figure
@@ -16,11 +14,11 @@ from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, PROBE_CO
 from job import job
 
 CHECKS = {
-    "excess_overshoot": ("damping, by the overshoot", PROBE_COLOURS[0], "-", "o", 2.0),
-    "excess_tail": ("damping, by the tail", PROBE_COLOURS[0], "--", "o", 1.4),
-    "restitution_defect": ("restitution, $1 - e$", PROBE_COLOURS[1], "-", "s", 1.0),
-    "energy_defect": ("energy", PROBE_COLOURS[2], "-", "^", 1.0),
-    "speed_defect": ("speed of the front", PROBE_COLOURS[4], "-", "v", 1.0),
+    "excess_overshoot": ("damping, by the overshoot", PROBE_COLOURS[0], "-", "o", 1.5),
+    "excess_tail": ("damping, by the tail", PROBE_COLOURS[0], "--", "o", 1.2),
+    "restitution_defect": ("restitution, $1 - e$", PROBE_COLOURS[1], "-", "s", 0.9),
+    "energy_defect": ("energy", PROBE_COLOURS[2], "-", "^", 0.9),
+    "speed_defect": ("speed of the front", PROBE_COLOURS[4], "-", "v", 0.9),
 }
 SMALL = 0.01
 BETA_STYLES: tuple[Any, ...] = ("-", "--", ":")
@@ -37,14 +35,14 @@ def half_step_damping(data: xr.Dataset) -> Figure:
         Damping by the half-step scheme.
     """
     rows = [["checks"] * 3, ["motion", "excess", "error"]]
-    figure, panels = new_figure(6.2, [rows[0], rows[0], rows[1], rows[1]])
+    figure, panels = new_figure(4.8, [rows[0], rows[0], rows[1], rows[1]])
     _draw_checks(panels["checks"], data)
     _draw_motion(panels["motion"], data)
     _draw_laws(panels["excess"], data, "excess_overshoot")
     _draw_laws(panels["error"], data, "error")
     panels["excess"].set_title("excess damping")
     panels["error"].set_title("error of all $u_n$")
-    figure.legend(handles=list(_laws(data)), loc="outside lower center", ncols=6, handlelength=2)
+    panels["excess"].legend()
     return figure
 
 
@@ -61,7 +59,6 @@ def _draw_checks(axes: Axes, data: xr.Dataset) -> None:
             linewidth=width,
             color=colour,
             marker=marker,
-            markersize=4,
         )
         axes.annotate(
             label,
@@ -74,7 +71,7 @@ def _draw_checks(axes: Axes, data: xr.Dataset) -> None:
         )
     axes.set_ylim(axes.get_ylim())
     axes.axhspan(axes.get_ylim()[0], SMALL, color="0.92", zorder=0)
-    axes.axhline(SMALL, color="0.5", linewidth=0.8)
+    axes.axhline(SMALL, color="0.5", linewidth=0.5)
     words: dict[str, Any] = {"transform": axes.get_yaxis_transform(), "verticalalignment": "top"}
     axes.text(0.01, 0.8 * SMALL, "below 1 %", color="0.3", **words)
     steps = chain["step"].values
@@ -93,7 +90,7 @@ def _draw_motion(axes: Axes, data: xr.Dataset) -> None:
     accurate, method = (data[f"relative_displacement_{name}"] for name in ("accurate", "method"))
     label = f"$h = t_c/{shown['steps_per_collision']}$"
     axes.plot(accurate["t"], accurate, "-", color=EQUATION_COLOUR, label="accurate")
-    axes.plot(method["t"], method, ".", color=CHAIN_COLOUR, markersize=3.5, label=label)
+    axes.plot(method["t"], method, ".", color=CHAIN_COLOUR, label=label)
     arrival = float(accurate["t"][int(np.argmax(accurate.values > 0.5))])
     axes.set(xlim=(arrival - BEFORE, arrival + AFTER), xlabel="$t$", ylabel="$u_n$")
     axes.set_title("a contact")
@@ -101,20 +98,13 @@ def _draw_motion(axes: Axes, data: xr.Dataset) -> None:
 
 
 def _draw_laws(axes: Axes, data: xr.Dataset, name: str) -> None:
-    """A number over the step, for each law and damping."""
-    for colour, gamma in zip(PROBE_COLOURS, data["gamma"].values, strict=False):
-        for style, beta in zip(BETA_STYLES, data["beta"].values, strict=False):
-            row = data.sel(gamma=gamma, beta=beta)
-            axes.loglog(row["step"], row[name], style, color=colour)
-    axes.set(xlabel="$h/t_c$")
-
-
-def _laws(data: xr.Dataset) -> Iterator[Line2D]:
-    """The meaning of colours and dashes."""
-    for colour, gamma in zip(PROBE_COLOURS, data["gamma"].values, strict=False):
-        yield Line2D([], [], linestyle="-", color=colour, label=rf"$\gamma = {gamma:g}$")
+    """A number over the step, for each law, with the damping of the chain that is shown."""
+    gamma = configuration_of(data)["shown"]["gamma"]
     for style, beta in zip(BETA_STYLES, data["beta"].values, strict=False):
-        yield Line2D([], [], linestyle=style, color="0.4", label=rf"$\beta = {beta:g}$")
+        row = data.sel(gamma=gamma, beta=beta)
+        look = {"color": CHAIN_COLOUR, "label": rf"$\beta = {beta:g}$"}
+        axes.loglog(row["step"], row[name], style, **look)
+    axes.set(xlabel="$h/t_c$")
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ def rosas_2007_pulses(weak: xr.Dataset, medium: xr.Dataset, strong: xr.Dataset) 
     weak, medium, strong : xarray.Dataset
         Motions behind an impact, from small to large damping.
     """
-    figure, panels = new_figure(5.6, [["weak"], ["medium"], ["strong"]])
+    figure, panels = new_figure(4.4, [["weak"], ["medium"], ["strong"]], sharex=True)
     for axes, motion in zip(panels.values(), (weak, medium, strong), strict=True):
         looks = zip(motion["velocity"], PROBE_COLOURS, PROBE_STYLES, strict=False)
         for velocity, color, style in looks:
@@ -27,7 +27,7 @@ def rosas_2007_pulses(weak: xr.Dataset, medium: xr.Dataset, strong: xr.Dataset) 
         axes.text(0.98, 0.8, words, transform=axes.transAxes, ha="right")
         axes.set(ylabel=r"velocity $\dot x_n$", xlim=(0, motion.sizes["bead"]), ylim=(-0.005, 0.1))
     axes.set_xlabel("bead $n$")
-    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=5)
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3)
     return figure
 
 

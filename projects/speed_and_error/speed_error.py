@@ -9,7 +9,7 @@ from drawing import write_figure
 from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, fill_rows, new_figure
 from job import job
 
-PANEL_HEIGHT = 2.1  # in inches
+PANEL_HEIGHT = 1.9  # in inches
 OURS = "black"
 PACKAGES = {
     "upwind": (ALARM_COLOUR, "-"),
@@ -36,7 +36,7 @@ def speed_error(data: xr.Dataset) -> Figure:
     figure, panels = new_figure(PANEL_HEIGHT * len(rows), rows)
     for problem, of_problem in runs.items():
         _draw_problem(panels[problem], of_problem)
-        panels[problem].set_title(problem.replace("_", " "), fontsize=8)
+        panels[problem].set_title(problem.replace("_", " "))
     for row in rows:
         panels[row[0]].set_ylabel("seconds")
     return figure
@@ -47,13 +47,13 @@ def _draw_problem(axes: Axes, runs: pd.DataFrame) -> None:
     for (method, curve), marker in zip(runs.groupby("method", sort=False), MARKERS, strict=False):
         colour, line = PACKAGES.get(method.partition("_")[0], (OURS, "-"))
         label = method.replace("_", " ")
-        look = {"color": colour, "marker": marker, "markersize": 3, "linewidth": 0.9}
+        look = {"color": colour, "marker": marker, "linewidth": 0.7}
         axes.loglog(curve["error"], curve["seconds"], linestyle=line, label=label, **look)
         busy = curve[curve["disturbed"] == 1]
         axes.loglog(busy["error"], busy["seconds"], **look | {"linestyle": "", "mfc": "white"})
     axes.axvline(runs["reference_error"].iloc[0], color="0.55", linewidth=0.8, linestyle="--")
     axes.set_xlabel("largest error")
-    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), fontsize=6.5, handlelength=2.0)
+    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), fontsize=6, handlelength=2.0)
 
 
 if __name__ == "__main__":

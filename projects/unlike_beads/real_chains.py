@@ -26,7 +26,7 @@ def real_chains(
     dimers, tapers, draws, driven : xarray.Dataset
         Campaigns dimer_ratio, taper, disorder and driven_chain.
     """
-    figure, panels = new_figure(5.4, [["dimers", "tapers"], ["draws", "driven"]])
+    figure, panels = new_figure(4.2, [["dimers", "tapers"], ["draws", "driven"]])
     energy = dimers["transmitted_energy"]
     for contact in energy[CONTACT].values:
         label = f"beyond {contact // 2} cells"
@@ -56,7 +56,7 @@ def _draw_disorder(axes: Axes, draws: xr.Dataset) -> None:
     means, energy = mean_over(draws, SEED), draws["transmitted_energy"].transpose(SPREAD, SEED)
     axes.plot(draws[SPREAD], energy, ".", color=BLACK, alpha=0.25)
     mean, error = means["transmitted_energy"], means["transmitted_energy_error"]
-    axes.errorbar(draws[SPREAD], mean, error, color=BLACK, linestyle="-", capsize=3)
+    axes.errorbar(draws[SPREAD], mean, error, color=BLACK, linestyle="-", capsize=2)
     axes.set_xlabel("spread of the masses")
 
 

@@ -18,11 +18,11 @@ def weak_damping_shocks(motions: list[xr.Dataset]) -> Figure:
         Motions of a driven chain, from no damping to strong damping.
     """
     names = [f"motion_{number}" for number in range(len(motions))]
-    figure, panels = new_figure(6.2, [[name] for name in names])
+    figure, panels = new_figure(4.6, [[name] for name in names], sharex=True)
     for axes, motion in zip(panels.values(), motions, strict=True):
         series = motion["relative_displacement_far"].isel(bead_far=0)
-        axes.plot(motion["t_far"], series, "k-", lw=0.6)
-        axes.axhline(1.0, color="k", ls=":", lw=0.8)
+        axes.plot(motion["t_far"], series, "k-", lw=0.3)
+        axes.axhline(1.0, color="k", ls=":", lw=0.6)
         gamma = configuration_of(motion)["law"]["gamma"]
         axes.text(0.98, 0.78, rf"$\gamma = {gamma:g}$", transform=axes.transAxes, ha="right")
         axes.set(ylabel="$u_{400}$", xlim=(370, 1100), ylim=(-0.05, 1.85))
