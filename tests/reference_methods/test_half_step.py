@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import InputError
-from granular_fronts.reference_methods.half_step import Chain, integrate
+from granular_fronts.reference_methods.half_step import SCHEMES, Chain, integrate
 from granular_fronts.studies.chain_scenes import pressed_chain
 from projects import ROOT
 
@@ -24,10 +24,11 @@ BEADS, END = 8, 12.0
 DIFFERENCES = np.eye(BEADS)[:-1] - np.eye(BEADS)[1:]
 
 
-def from_rest(chain, step, end=END, beads=BEADS):
+def from_rest(chain, step, end=END, beads=BEADS, scheme="lagged_verlet"):
     """The state at the end, of a chain at rest."""
     rest = np.zeros(beads)
-    motion = integrate(chain, rest, rest, step, round(end / step))
+    steps, scheme = round(end / step), SCHEMES[scheme]
+    motion = integrate(chain, rest, rest, step, steps, scheme=scheme)
     return motion.x[-1], motion.v[-1]
 
 
@@ -91,14 +92,32 @@ def test_predicted_velocities_of_lammps_are_of_second_order():
 
 
 @pytest.mark.parametrize(
-    ("beta", "gamma", "order"),
-    [(1.5, 0.0, 2.0), (1.5, 0.3, 1.0), (1.25, 0.3, 1.0), (1.0, 0.3, 1.0)],
+    ("scheme", "beta", "gamma", "order"),
+    [
+        ("lagged_verlet", 1.5, 0.0, 2.0),
+        *(("lagged_verlet", beta, 0.3, 1.0) for beta in (1.5, 1.25, 1.0)),
+        *(("predicted_verlet", beta, 0.3, 2.0) for beta in (1.5, 1.25, 1.0)),
+        *(("symplectic_euler", 1.5, gamma, 1.0) for gamma in (0.0, 0.3)),
+    ],
 )
-def test_order_is_two_without_damping_and_one_with_it(beta, gamma, order):
+def test_order_without_damping_and_with_it(scheme, beta, gamma, order):
     chain, steps = Chain(1.5, beta, gamma, left=1.0), np.array([0.02, 0.01, 0.005, 0.0025])
     u = exact(chain)
-    errors = [np.abs(-np.diff(from_rest(chain, step)[0]) - u).max() for step in steps]
+    errors = [
+        np.abs(-np.diff(from_rest(chain, step, scheme=scheme)[0]) - u).max() for step in steps
+    ]
     assert_order(1.0 / steps, errors, order, 0.06, 0.026)
+
+
+def test_velocities_of_half_steps_are_those_of_symplectic_euler():
+    """Started half a step before, its motion is that of the lagged step, its velocities late."""
+    chain, step = Chain(1.5, 1.5, 0.3, left=1.0), 0.1
+    lagged = integrate(chain, np.zeros(BEADS), np.zeros(BEADS), step, 120)
+    start = -0.5 * step * np.eye(BEADS)[0]
+    euler = integrate(chain, np.zeros(BEADS), start, step, 120, scheme=SCHEMES["symplectic_euler"])
+    np.testing.assert_allclose(euler.x, lagged.x, rtol=0, atol=1e-14)
+    mean = 0.5 * (euler.v[:-1] + euler.v[1:])
+    np.testing.assert_allclose(mean, lagged.v[:-1], rtol=0, atol=1e-14)
 
 
 def modified_chain(chain, step, is_chain):

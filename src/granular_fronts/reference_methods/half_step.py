@@ -1,4 +1,4 @@
-r"""The step of discrete-element codes: velocity Verlet whose forces see half-step velocities.
+r"""The steps of discrete-element codes: velocity Verlet with velocities of half steps, and others.
 
 LAMMPS's ``fix nve``, LIGGGHTS and YADE evaluate the forces once in each step h,
 
@@ -30,6 +30,11 @@ vanishes if u(t) is symmetric about its maximum, as it is without damping.  A li
 Stability.  Linearised at the stiffness s and the viscous coefficient g, the shortest wave of a
 chain has multipliers z, :math:`z^2 - (2 - 4h^2s - 4hg)z + 1 - 4hg = 0`.  Their modulus is at most 1
 if and only if :math:`h^2 s + 2hg \le 1`.
+
+Other steps.  A `Scheme` says what differs.  LAMMPS's ``fix mvv/dpd 1.0`` lets forces see the
+predicted velocity :math:`v_{n+1/2} + \tfrac h2 a_n` and has order 2.  Symplectic Euler gives
+velocities the whole of :math:`h a_n` before the positions, and has order 1 without damping too.  So
+has a code that keeps velocities of half steps, if its output takes them for those of whole steps.
 """
 
 from collections.abc import Sequence
@@ -61,6 +66,22 @@ class Motion(NamedTuple):
     v: np.ndarray
 
 
+class Scheme(NamedTuple):
+    """Share of h a that velocities have before the positions move, and that forces see besides."""
+
+    before: float
+    ahead: float
+
+
+LAGGED_VERLET = Scheme(0.5, 0.0)
+
+SCHEMES = {
+    "lagged_verlet": LAGGED_VERLET,
+    "predicted_verlet": Scheme(0.5, 0.5),
+    "symplectic_euler": Scheme(1.0, 0.0),
+}
+
+
 def integrate(
     chain: Chain,
     x: npt.ArrayLike,
@@ -68,12 +89,13 @@ def integrate(
     step: float,
     steps: int,
     follow: Sequence[int] | None = None,
+    scheme: Scheme = LAGGED_VERLET,
 ) -> Motion:
     """Advance a chain by equal steps h > 0; an InputError names an argument out of range.
 
     α is above 0, β 1 or more, and γ, δ and δ̃ are 0 or more.  At t = 0 the beads have displacements
     x, zero where they just touch, and velocities v, both of shape (N,).  `follow` holds the indices
-    of the beads whose motion is returned; all by default.
+    of the beads whose motion is returned; all by default.  `scheme` is one of `SCHEMES`.
     """
     alpha = scalar("alpha", chain.alpha, above=0.0, advice="give an exponent")
     beta = scalar("beta", chain.beta, least=1.0, advice="give an exponent")
@@ -84,25 +106,27 @@ def integrate(
     steps = count("steps", steps)
     follow = np.arange(x.size) if follow is None else np.asarray(follow, np.int64)
     followed_x, followed_v = np.full((2, steps + 1, follow.size), np.nan)
-    advance(x, v, law, ends, step, follow, followed_x, followed_v)
+    advance(x, v, law, ends, (step, *scheme), follow, followed_x, followed_v)
     return Motion(step * np.arange(steps + 1), followed_x, followed_v)
 
 
 @kernel
-def advance(x, v, law, ends, step, follow, followed_x, followed_v):
+def advance(x, v, law, ends, scheme, follow, followed_x, followed_v):
     """Take steps in place and keep what is followed, one row a step."""
-    a = np.empty_like(x)
+    step, before, ahead = scheme
+    a, seen = np.zeros_like(x), v.copy()
     for i in range(followed_x.shape[0]):
         if interrupted():
             break
         if i > 0:
             for n in range(x.size):
-                v[n] += 0.5 * step * a[n]
+                v[n] += before * step * a[n]
                 x[n] += step * v[n]
-        _accelerate(x, v, law, ends, a)
+                seen[n] = v[n] + ahead * step * a[n]
+        _accelerate(x, seen, law, ends, a)
         if i > 0:
             for n in range(x.size):
-                v[n] += 0.5 * step * a[n]
+                v[n] += (1.0 - before) * step * a[n]
         for j in range(follow.size):
             followed_x[i, j] = x[follow[j]]
             followed_v[i, j] = v[follow[j]]
