@@ -1,14 +1,9 @@
 r"""Chains by the step of discrete-element codes and by the accurate solver, and what is read off.
 
-A chain at rest is pressed by δ = 1 at its left end, so that c = 1.  Times are compared with the one
-that two beads without damping, meeting at the velocity 1 of a front, stay together:
-
-.. math::
-
-    t_c = 2\Bigl(\frac{\alpha+1}4\Bigr)^{1/(\alpha+1)} \int_0^1 \frac{ds}{\sqrt{1-s^{\alpha+1}}}.
+A chain at rest is pressed by δ = 1 at its left end, so that c = 1.  Times are compared with that of
+a collision, `problems.collision_time`.
 """
 
-import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -45,13 +40,6 @@ class Measurement(NamedTuple):
     peak: float
     arrivals: np.ndarray
     u: np.ndarray
-
-
-def collision_time(alpha: float) -> float:
-    """Return the time t_c that two beads without damping are in contact, for δ = c = 1."""
-    power = 1.0 / (alpha + 1.0)
-    integral = math.sqrt(math.pi) * math.gamma(1.0 + power) / math.gamma(0.5 + power)
-    return 2.0 * (0.25 * (alpha + 1.0)) ** power * integral
 
 
 def half_step_chain(case: Case, step: float) -> Motion:

@@ -43,13 +43,13 @@ from granular_fronts.accuracy import Estimate, recorded, tabulated
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.model.collision import restitution
 from granular_fronts.referee.measurements import excess_by_table
+from granular_fronts.referee.problems import collision_time
 from granular_fronts.reference_methods.half_step import Chain, Motion, integrate
 from granular_fronts.studies.orders import ORDER_METHOD, observed_orders
 from half_step_motions import (
     CHAIN_METHOD,
     Case,
     accurate_chain,
-    collision_time,
     compare_motion,
     half_step_chain,
     read_motion,

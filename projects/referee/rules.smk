@@ -7,16 +7,15 @@ REFEREE, REFEREE_OWN = project_settings("referee", HalfStepDamping)
 
 
 rule write_referee:
-    """Problems in words and as input of LAMMPS, with accurate answers."""
+    """A folder for each problem: words, decks of codes, the accurate answer, and tolerances."""
     input:
         kernels("chain"),
+        kernels("reference_methods"),
         "src/granular_fronts/referee/problems.yaml",
     output:
         table="<results>/referee/answers.csv",
-        files=expand(
-            "<results>/referee/{problem}.{ending}",
-            problem=read_settings().combinations(),
-            ending=["lmp", "txt", "nc", "csv"],
+        folders=directory(
+            expand("<results>/referee/{problem}", problem=read_settings().combinations())
         ),
     params:
         code=code("write_referee"),

@@ -15,6 +15,7 @@ from granular_fronts.errors import InputError, SolveError
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.model.collision import restitution
 from granular_fronts.referee.measurements import excess_by_table
+from granular_fronts.referee.problems import collision_time
 from granular_fronts.reference_methods.half_step import Chain, integrate
 from granular_fronts.scenes.sentences import read_part
 from granular_fronts.scenes.yaml_files import merge, read_yaml
@@ -22,7 +23,6 @@ from half_step_damping import half_step_damping
 from half_step_motions import (
     Case,
     accurate_chain,
-    collision_time,
     compare_motion,
     half_step_chain,
     passing,

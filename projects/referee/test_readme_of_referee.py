@@ -6,8 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from granular_fronts.referee.problems import collision_time
 from granular_fronts.scenes.yaml_files import read_yaml
-from half_step_motions import Case, collision_time
+from half_step_motions import Case
 from half_step_study import compare_half_steps, measure_excess
 from projects import ROOT
 

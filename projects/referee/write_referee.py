@@ -1,4 +1,4 @@
-"""Problems for discrete-element codes: input for LAMMPS, words, and accurate answers."""
+"""Problems for discrete-element codes: decks, words, accurate answers, and tolerances."""
 
 from granular_fronts.referee.files import write_problems
 from granular_fronts.referee.problems import load_problems
@@ -11,7 +11,7 @@ def write_referee(table: str) -> None:
     Parameters
     ----------
     table : str
-        Table of all answers; all other files go into the same folder.
+        Table of all answers; the folders of the problems lie beside it.
     """
     write_problems(load_problems(), table)
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from half_steps import half_steps, write_dump
 from lammps import LAMMPS, needs_lammps
 from pages import blocks, commands, load_script, run
+from result_files import write_dump
 
 from granular_fronts.referee.answers import solve
 from granular_fronts.referee.assessment import find, report
@@ -16,6 +16,7 @@ from granular_fronts.referee.files import write_problems
 from granular_fronts.referee.lammps_deck import write_deck
 from granular_fronts.referee.lammps_run import run_lammps
 from granular_fronts.referee.problems import load_problems
+from granular_fronts.referee.tolerances import move
 from projects import ROOT
 
 DOCUMENT = ROOT / "docs" / "practitioners.md"
@@ -37,7 +38,7 @@ def assert_page_holds(**numbers):
 def found_by_half_steps(name, *steps):
     problem = PROBLEMS[name]
     answer = solve(problem)
-    return answer, [find(problem, answer, half_steps(problem, step)) for step in steps]
+    return answer, [find(problem, answer, move(problem, step)) for step in steps]
 
 
 @pytest.mark.parametrize("name", QUOTED)
@@ -78,7 +79,7 @@ def test_lammps_moves_beads_as_our_scheme_does(name, older):
         deck = deck.replace(granular, f'"pair_style {style}" "pair_coeff * *"')
     assert older in deck
     found, _ = run_lammps(LAMMPS, problem.name, deck, 0.1)
-    ours = half_steps(problem, 0.1)
+    ours = move(problem, 0.1)
     np.testing.assert_allclose(found.v, ours.v, rtol=0, atol=1e-12)
     np.testing.assert_allclose(np.diff(found.x), np.diff(ours.x), rtol=0, atol=1e-11)
 
@@ -88,7 +89,7 @@ def test_how_a_line_of_balls_breaks_up():
     velocity = solve(problem)["velocity"]
     last = velocity.values[-1] / problem.front_velocity
     assert velocity.attrs["error_estimate"] / problem.front_velocity < 1e-10
-    off = 100.0 * (half_steps(problem, 0.1).v[-1] / problem.front_velocity / last - 1.0)
+    off = 100.0 * (move(problem, 0.1).v[-1] / problem.front_velocity / last - 1.0)
     assert_page_holds(
         ball_last=(last[-1], ".9f"),
         ball_before=(last[-2], ".9f"),
@@ -109,7 +110,7 @@ def test_single_collisions_and_errors_of_all_answers():
         assert 0.0 < max(field.attrs["error_estimate"] for field in fields) < 1e-10
         assert answer["value_error"].max() < 1e-10
         if name.startswith("collision"):
-            excess[name] = find(problem, answer, half_steps(problem, 0.1)).excess
+            excess[name] = find(problem, answer, move(problem, 0.1)).excess
     assert "dashpot" in min(excess, key=excess.get)
     assert_page_holds(
         referee_problems=(len(PROBLEMS), "d"),
@@ -136,7 +137,7 @@ def test_commands_run_as_shown(tmp_path):
     name = "front_steel_viscoelastic"
     write_problems({name: PROBLEMS[name]}, folder / "answers.csv")
     for step in STEPS:
-        write_dump(folder / f"{name}_{step}.dump", half_steps(PROBLEMS[name], step))
+        write_dump(folder / f"{name}_{step}.dump", move(PROBLEMS[name], step))
     path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
     packages = str(ROOT / "src")
     outcome = run(["bash", "-c", f"{enter} && {ask}"], tmp_path, PATH=path, PYTHONPATH=packages)

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from half_steps import half_steps, write_table
+from result_files import write_table
 from scipy.integrate import solve_ivp
 
 from granular_fronts.chain.simulate import simulate_chain
@@ -22,6 +22,7 @@ from granular_fronts.referee.measurements import excess_damping, first_peak, rea
 from granular_fronts.referee.problems import in_words, load_problems
 from granular_fronts.referee.results_files import Result, read_result
 from granular_fronts.referee.settings import read_settings
+from granular_fronts.referee.tolerances import move
 
 SETTINGS = read_settings().plain()
 PROBLEMS = load_problems()
@@ -120,7 +121,7 @@ def test_a_law_that_lammps_has_not_is_named(law):
 
 
 def test_answer_of_a_collision_is_the_restitution(folder):
-    answer = read_dataset(folder / f"{COLLISION}.nc")
+    answer = read_dataset(folder / COLLISION / "answer.nc")
     expected = [restitution(0.05 * factor, 1.5, 1.0) for factor in answer["factor"].values]
     error = np.abs(answer["reading"] - expected).max()
     assert 0.5 * error < answer["reading"].attrs["error_estimate"] < 2.0 * error < 2.0e-11
@@ -129,22 +130,21 @@ def test_answer_of_a_collision_is_the_restitution(folder):
 
 def test_every_problem_has_its_files_and_numbers(folder):
     names = load_problems(SMALL)
-    assert {path.name for path in folder.iterdir()} == {
-        "answers.csv",
-        *(f"{name}.{ending}" for name in names for ending in ("lmp", "txt", "nc", "csv")),
-    }
+    assert {path.name for path in folder.iterdir()} == {"answers.csv", *names}
     table = [line.split(",") for line in (folder / "answers.csv").read_text().splitlines()]
     assert {row[0] for row in table[1:]} == set(names)
     assert all(0.0 < float(row[3]) < 1e-9 for row in table[1:] if row[1][:7] != "contact")
     gaps = {row[0] for row in table if row[1] == "time of the first gap"}
     assert any(name.startswith("contact_loss") for name in gaps)
-    rows = (folder / f"{FRONT}.csv").read_text().splitlines()
-    answer = read_dataset(folder / f"{FRONT}.nc")
+    rows = (folder / FRONT / "states.csv").read_text().splitlines()
+    answer = read_dataset(folder / FRONT / "answer.nc")
     assert answer["value"].attrs["error_estimate"] == answer["value_error"].max() > 0.0
-    states = answer.sel(t=[20.0, 40.0])
+    states = answer.sel(t=[10.0, 20.0, 30.0, 40.0])
     v = states["velocity"].values
     u = np.pad(states["relative_displacement"].values, [(0, 0), (0, 1)])
-    expected = [[t, n + 1, u[k, n], v[k, n]] for k, t in enumerate((20, 40)) for n in range(16)]
+    expected = [
+        [t, n + 1, u[k, n], v[k, n]] for k, t in enumerate((10, 20, 30, 40)) for n in range(16)
+    ]
     found = [list(map(float, row.split(",")[:4])) for row in rows[1:]]
     assert found == expected
     ends = [float(row[2]) for row in table if row[0] == FRONT and row[1].startswith("velocity")]
@@ -153,7 +153,7 @@ def test_every_problem_has_its_files_and_numbers(folder):
 
 def test_half_step_scheme_is_told_its_order_and_damping(folder, problem, capsys, tmp_path):
     files = [
-        write_table(tmp_path / f"{FRONT}_{step}.csv", half_steps(problem, step), shift)
+        write_table(tmp_path / f"{FRONT}_{step}.csv", move(problem, step), shift)
         for step, shift in ((0.05, 0.0), (0.1, 1.0), (0.025, 0.0))
     ]
     main([*files, "--answers", str(folder), "--figures", str(tmp_path)])
@@ -168,14 +168,14 @@ def test_half_step_scheme_is_told_its_order_and_damping(folder, problem, capsys,
     assert 1.0 < excess[0] < 1.5
     assert "fix mvv/dpd" in said
     wanted = float(re.search("For an error of 0.001 take the step (.*)\\.\n", said).group(1))
-    assert find(problem, read_dataset(folder / f"{FRONT}.nc"), half_steps(problem, 0.005)).error < (
+    assert find(problem, read_dataset(folder / FRONT / "answer.nc"), move(problem, 0.005)).error < (
         1e-3 * 0.005 / wanted * 1.3
     )
     assert (tmp_path / f"{FRONT}.png").stat().st_size > 10_000
 
 
 def test_accurate_result_passes_and_another_damping_is_seen(folder, problem):
-    answer = read_dataset(folder / f"{FRONT}.nc")
+    answer = read_dataset(folder / FRONT / "answer.nc")
     u, v = answer["relative_displacement"].values, answer["velocity"].values
     x = np.zeros_like(v)
     x[:, :-1] = np.cumsum(u[:, ::-1], axis=1)[:, ::-1]
@@ -188,7 +188,7 @@ def test_accurate_result_passes_and_another_damping_is_seen(folder, problem):
         off = Result(FRONT, 0.1, answer["t"].values, x, v)._asdict()
         off[name] = off[name] + one
         assert find(problem, answer, Result(**off)).error == pytest.approx(1e-4 / scale, rel=1e-9)
-    wrong = [find(problem, answer, half_steps(problem, step, 1.05)) for step in (0.01, 0.005)]
+    wrong = [find(problem, answer, move(problem, step, factor=1.05)) for step in (0.01, 0.005)]
     assert wrong[1].excess == pytest.approx(0.05, abs=3e-3)
     assert observed_order(wrong).value < 0.3
 
@@ -233,7 +233,7 @@ def test_advice_is_what_the_errors_allow(problem, errors, sentence, unsaid):
 @pytest.mark.parametrize("motion", ["front", "striker", "contact_loss"])
 def test_measurements_are_what_they_are_called(folder, motion):
     """Of δ = 0.1: the first peak of u in the middle, or the velocity of the last bead."""
-    answer = read_dataset(folder / f"{motion}_steel_viscoelastic.nc")
+    answer = read_dataset(folder / f"{motion}_steel_viscoelastic" / "answer.nc")
     measurement = float(answer["reading"].sel(factor=1.0))
     if motion == "contact_loss":
         assert measurement == float(answer["velocity"][-1, -1]) / 0.1**1.25
@@ -293,7 +293,7 @@ def test_a_solitary_wave_has_the_speed_of_its_force(wave):
 def test_a_step_hardly_changes_the_speed_of_a_solitary_wave(wave):
     """Of order two, without a viscous force to see velocities of half a step before."""
     problem = PROBLEMS[WAVE]
-    findings = [find(problem, wave, half_steps(problem, step)) for step in (0.1, 0.05, 0.025)]
+    findings = [find(problem, wave, move(problem, step)) for step in (0.1, 0.05, 0.025)]
     assert observed_order(findings).value == pytest.approx(2.0, abs=0.1)
     defects = [one.measurement / one.exact - 1.0 for one in findings]
     np.testing.assert_allclose(np.divide(defects[:-1], defects[1:]), 4.0, rtol=0.1)
@@ -303,7 +303,7 @@ def test_a_step_hardly_changes_the_speed_of_a_solitary_wave(wave):
     assert "gamma were" not in said
     # Velocities of half a step before, as those of symplectic Euler, have order one here.
     for at, step in enumerate((0.1, 0.05, 0.025)):
-        result = half_steps(problem, step)
+        result = move(problem, step)
         force = np.pad(np.maximum(-np.diff(result.x), 0.0) ** 1.5, [(0, 0), (1, 1)])
         late = result._replace(v=result.v + 0.5 * step * np.diff(force))
         findings[at] = find(problem, wave, late)
@@ -323,8 +323,8 @@ def test_peak_between_states_is_close_to_that_of_the_motion():
 
 
 def test_figure_shows_answer_and_results(folder, problem):
-    answer = read_dataset(folder / f"{FRONT}.nc")
-    results = [half_steps(problem, step) for step in (0.5, 0.25, 0.125, 0.1, 0.05)]
+    answer = read_dataset(folder / FRONT / "answer.nc")
+    results = [move(problem, step) for step in (0.5, 0.25, 0.125, 0.1, 0.05)]
     findings = [find(problem, answer, result) for result in results]
     motion, error = draw(problem, answer, results, findings).axes
     lines = motion.get_lines()
@@ -415,7 +415,7 @@ def test_dump_and_table_are_read_alike(columns, first, second, tmp_path):
 def test_neither_order_nor_damping_follows_from_few_digits(folder, problem, capsys, tmp_path):
     files, cut = [], np.vectorize(lambda number: float(f"{number:.5g}"))
     for step in (0.1, 0.05, 0.025):
-        result = half_steps(problem, step)
+        result = move(problem, step)
         few = result._replace(x=cut(result.x + np.arange(16)), v=cut(result.v))
         files.append(write_table(tmp_path / f"{FRONT}_{step}.csv", few))
     main([*files, "--answers", str(folder)])
@@ -426,7 +426,7 @@ def test_neither_order_nor_damping_follows_from_few_digits(folder, problem, caps
 
 def test_results_of_another_motion_are_named(folder, problem):
     """Of other beads, times or starts; velocities of half steps are those of the problem."""
-    answer, result = read_dataset(folder / f"{FRONT}.nc"), half_steps(problem, 0.1)
+    answer, result = read_dataset(folder / FRONT / "answer.nc"), move(problem, 0.1)
     late = result.v.copy()
     late[0, 0] = 0.5 * 0.1 * 0.1**1.5
     measured = find(problem, answer, result).measurement
@@ -447,7 +447,7 @@ def test_impossible_arguments_are_named(folder, problem, tmp_path):
     """Of a removed problem the files of an earlier run remain, and one may be broken."""
     (tmp_path / "again").mkdir()
     first, again = (
-        write_table(place / f"{FRONT}_0.1.csv", half_steps(problem, 0.1))
+        write_table(place / f"{FRONT}_0.1.csv", move(problem, 0.1))
         for place in (tmp_path, tmp_path / "again")
     )
     for name in (COLLISION, FRONT):
@@ -455,7 +455,8 @@ def test_impossible_arguments_are_named(folder, problem, tmp_path):
         (tmp_path / name / "answers.csv").write_text(
             f"problem,quantity,value,error\n{name},a,1,0\n{name},b,1,0\n"
         )
-    (tmp_path / FRONT / f"{FRONT}.nc").write_text("no dataset")
+    (tmp_path / FRONT / FRONT).mkdir()
+    (tmp_path / FRONT / FRONT / "answer.nc").write_text("no dataset")
     known = ["--answers", str(folder)]
     for words, sentence in (
         ([first, "--answers", "nowhere"], "nowhere holds no answers: make them by snakemake"),
@@ -463,7 +464,7 @@ def test_impossible_arguments_are_named(folder, problem, tmp_path):
         ([first, *known, f"--figures={folder}/answers.csv"], r"no folder can be made"),
         ([first, again, *known], "is there twice with step"),
         ([first, "--answers", str(tmp_path / COLLISION)], f"but the problems are {COLLISION}:"),
-        ([first, "--answers", str(tmp_path / FRONT)], rf"{FRONT}\.nc is not a readable netCDF"),
+        ([first, "--answers", str(tmp_path / FRONT)], r"answer\.nc is not a readable netCDF"),
     ):
         with pytest.raises(SystemExit, match=sentence):
             main(words)

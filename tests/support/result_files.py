@@ -1,18 +1,4 @@
-"""Results for the referee, by the half-step scheme, and the files that a code would write."""
-
-import numpy as np
-
-from granular_fronts.referee.results_files import Result
-from granular_fronts.reference_methods.half_step import Chain, integrate
-
-
-def half_steps(problem, step, factor=1.0):
-    """The motion that LAMMPS's `fix nve` has to round-off, with γ times a factor."""
-    scene, every = problem.scene, round(problem.interval / step)
-    chain = Chain(1.5, scene.law.beta, factor * scene.law.gamma, scene.boundary.left)
-    steps = round(scene.end_time / step)
-    motion = integrate(chain, np.zeros(scene.beads.count), scene.start.velocity, step, steps)
-    return Result(problem.name, step, motion.t[::every], motion.x[::every], motion.v[::every])
+"""Files that a code would write for the referee."""
 
 
 def write_table(path, result, shift=0.0):

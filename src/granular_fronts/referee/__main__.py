@@ -7,7 +7,6 @@ problems and their answers are made by snakemake -c2 referee.
 import argparse
 import os
 import sys
-from collections import defaultdict
 from pathlib import Path
 
 from granular_fronts.arguments import scalar
@@ -15,8 +14,9 @@ from granular_fronts.errors import InputError, end_with_reader, exit_on_error
 from granular_fronts.output.datasets import DatasetError, configuration_of, read_dataset
 from granular_fronts.referee.answers import problems_of
 from granular_fronts.referee.assessment import find, report
+from granular_fronts.referee.files import make_folder
 from granular_fronts.referee.problems import Problem
-from granular_fronts.referee.results_files import read_result
+from granular_fronts.referee.results_files import read_results
 from granular_fronts.scenes.sentences import read_part
 
 
@@ -34,20 +34,11 @@ def main(arguments):
     options = parser.parse_args(arguments)
     with exit_on_error("The results cannot be judged."):
         scalar("--error", options.error, above=0.0, advice="give an error that would do")
-        _make_folder(options.figures)
+        if options.figures:
+            make_folder("--figures", options.figures)
         known = _known_problems(options.answers)
-        for name, results in _by_problem(options.files, known).items():
+        for name, results in read_results(options.files, known).items():
             judge(known[name], results, options)
-
-
-def _make_folder(figures):
-    try:
-        if figures:
-            figures.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise InputError(
-            f"--figures is {figures}, where no folder can be made ({error.strerror}): name another."
-        ) from None
 
 
 def _known_problems(folder):
@@ -58,25 +49,14 @@ def _known_problems(folder):
             f"{folder} holds no answers: make them by snakemake -c2 referee, or name their folder "
             "by --answers."
         )
-    return {name: folder / f"{name}.nc" for name in problems_of(table.read_text(encoding="utf-8"))}
-
-
-def _by_problem(files, known):
-    found = defaultdict(list)
-    for result in (read_result(file, known) for file in files):
-        if any(result.step == other.step for other in found[result.problem]):
-            raise InputError(
-                f"{result.problem} is there twice with step {result.step:g}: give each step once."
-            )
-        found[result.problem].append(result)
     return {
-        name: sorted(results, key=lambda result: -result.step) for name, results in found.items()
+        name: folder / name / "answer.nc" for name in problems_of(table.read_text(encoding="utf-8"))
     }
 
 
 def _read_answer(path):
     try:
-        return read_dataset(path, scene_id=path.stem)
+        return read_dataset(path, scene_id=path.parent.name)
     except DatasetError as error:
         raise InputError(str(error)) from None
 

@@ -45,11 +45,7 @@ def find(problem, answer, result):
 
     def judge(x, v):
         u = -np.diff(x, axis=1)
-        distances = (
-            np.abs(u - answer["relative_displacement"].values).max() / problem.displacement,
-            np.abs(v - answer["velocity"].values).max() / problem.front_velocity,
-        )
-        return float(max(distances)), read_motion(problem, answer["t"].values, u, v)
+        return largest_error(problem, answer, u, v), read_motion(problem, answer["t"].values, u, v)
 
     # The file stands for all states that differ from its own by its rounding: some are tried.
     random, tries = np.random.default_rng(0), [judge(x, v)]
@@ -64,6 +60,16 @@ def find(problem, answer, result):
     settled = np.isnan(follows_from) | (left_open <= LEFT_OPEN * follows_from)
     digits = result.digits, float(left_open[0]), *settled.tolist()
     return Finding(result.step, error, measurement, excess, exact, *digits)
+
+
+def largest_error(problem, answer, u, v):
+    """Return the larger of the errors of u over δ and of the velocities over δ^(5/4)."""
+    return float(
+        max(
+            np.abs(u - answer["relative_displacement"].values).max() / problem.displacement,
+            np.abs(v - answer["velocity"].values).max() / problem.front_velocity,
+        )
+    )
 
 
 def _matching_rows(problem, answer, result):
@@ -114,6 +120,9 @@ class Order(NamedTuple):
     value: float
     scatter: float
 
+    def __str__(self):
+        return f"{self.value:.2f}" + ("" if np.isnan(self.scatter) else f" ± {self.scatter:.2f}")
+
 
 def observed_order(findings):
     """Return the order that the errors of two or more steps show."""
@@ -124,10 +133,21 @@ def observed_order(findings):
 
 
 def report(problem, findings, wanted):
-    """Sentences on all results of one problem.
+    """Sentences on all results of one problem, and what would help.
 
     `findings` are of different steps, the largest first; `wanted` is an error that would do.
     """
+    yield from measured(problem, findings)
+    if len(findings) < 2:
+        yield "  Give a second step, and the order is found."
+        return
+    settled = all(one.error_settled for one in findings)
+    order = observed_order(findings) if settled else None
+    yield from (f"  {line}" for line in _advice(problem, findings[-1], order, wanted))
+
+
+def measured(problem, findings):
+    """Sentences on what was measured of one problem, at different steps, the largest first."""
     yield problem.title
     for one in findings:
         digits = "" if one.error_settled else f" ± {one.error_open:.0e} by its {one.digits} digits"
@@ -138,15 +158,8 @@ def report(problem, findings, wanted):
             f"  {min(one.digits for one in findings)} digits are too few for the order or the "
             "damping where none is given: write all, in LAMMPS by dump_modify … format float %.17g."
         )
-    if len(findings) < 2:
-        yield "  Give a second step, and the order is found."
-        return
-    order = None
-    if all(one.error_settled for one in findings):
-        order = observed_order(findings)
-        scatter = "" if np.isnan(order.scatter) else f" ± {order.scatter:.2f}"
-        yield f"  The observed order is {order.value:.2f}{scatter}."
-    yield from (f"  {line}" for line in _advice(problem, findings[-1], order, wanted))
+    if len(findings) > 1 and all(one.error_settled for one in findings):
+        yield f"  The observed order is {observed_order(findings)}."
 
 
 def _damping_in_words(problem, finding):
@@ -184,5 +197,5 @@ def _advice(problem, finest, order, wanted):
                 "of velocities written half a step early or late. Order two there is that of "
                 "velocity Verlet whose viscous force sees the velocity of half a step before, and "
                 "a predicted velocity makes it two here: in LAMMPS fix mvv/dpd "
-                f"1.0, which the deck {problem.name}.lmp takes with -var integrator mvv."
+                "1.0, which the deck lammps.in takes with -var integrator mvv."
             )

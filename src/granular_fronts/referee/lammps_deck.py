@@ -26,7 +26,7 @@ MARGIN = 10.0  # room around the chain, in diameters
 
 DECK = """\
 # {title}
-# Run: lmp -in {name}.lmp -var step 0.05
+# Run: lmp -in lammps.in -var step 0.05
 # With -var integrator mvv the viscous force sees a predicted velocity, by fix mvv/dpd.
 # The positions of bead n are n - 1 + x_n; the overlap of beads n and n + 1 is u_n = x_n - x_(n+1).
 variable step index 0.05

@@ -7,11 +7,14 @@ units of the front (29): :math:`\gamma = \hat\gamma\,\delta^{5/4-\beta}`.  Witho
 are Hertz's.
 """
 
+import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from pydantic import Field
 
+from granular_fronts.model.scaling import Scaling
 from granular_fronts.referee.lammps_deck import damping_model
 from granular_fronts.referee.settings import Kind, Settings, read_settings
 from granular_fronts.scenes.chain import Chain
@@ -38,10 +41,15 @@ It is not cut off if it becomes attractive just before they part. It is zero wit
 
 Compute the motion up to t = {end_time:g}, with two steps or more. Write positions and
 velocities at t = 0, {interval:g}, {twice:g}, ... as tables {name}_STEP.csv with the
-columns t, bead, x, v, in all digits. Here x is the displacement from the start. Or let
-LAMMPS do so by {name}.lmp. Then run
-    python -m granular_fronts.referee {name}_*.csv --answers FOLDER_OF_THIS_FILE
+columns t, bead, x, v, in all digits. Here x is the displacement from the start. Or let a code
+do so by its deck. Then run
+    granular-fronts-referee judge {name}_*.csv
+or compare with states.csv: u over {displacement!r} and v over {velocity!r} are off by no more
+than tolerances.csv says under "states", in the row of the scheme and the step.
 """
+
+SI_BEADS, SI_VELOCITY = "steel 20 mm", 0.5
+"""Beads in whose units a case is given too, and the velocity δ^(5/4) of the beads in m/s."""
 
 
 class Problem(Part):
@@ -66,6 +74,24 @@ class Problem(Part):
     def front_velocity(self) -> float:
         """Velocity δ^((α + 1)/2) of the beads behind a front, and of a bead that strikes."""
         return self.displacement ** (0.5 * (ALPHA + 1.0))
+
+    @property
+    def collision_time(self) -> float:
+        """Time of a collision of two beads without damping at this velocity."""
+        return collision_time(ALPHA) * self.displacement ** (0.5 * (1.0 - ALPHA))
+
+
+def collision_time(alpha: float) -> float:
+    r"""Return the time that two beads without damping, meeting at the velocity 1, stay together.
+
+    .. math::
+
+        t_c = 2\Bigl(\frac{\alpha+1}4\Bigr)^{1/(\alpha+1)}
+        \int_0^1 \frac{ds}{\sqrt{1-s^{\alpha+1}}}.
+    """
+    power = 1.0 / (alpha + 1.0)
+    integral = math.sqrt(math.pi) * math.gamma(1.0 + power) / math.gamma(0.5 + power)
+    return 2.0 * (0.25 * (alpha + 1.0)) ** power * integral
 
 
 def load_problems(settings: Mapping[str, Any] | Settings | None = None) -> dict[str, Problem]:
@@ -127,4 +153,34 @@ def in_words(problem: Problem) -> str:
         end_time=scene.end_time,
         interval=problem.interval,
         twice=2.0 * problem.interval,
+        displacement=problem.displacement,
+        velocity=problem.front_velocity,
     )
+
+
+def described(problem: Problem) -> dict[str, Any]:
+    """Return a problem in numbers, those of a chain with m = k = 1 and those in SI units."""
+    scene, law = problem.scene, problem.scene.law
+    unit = Scaling.of_spheres(SI_BEADS, SI_VELOCITY / problem.front_velocity, damping=1.0)
+    unit = replace(unit, beta=law.beta)
+    kinds = {
+        "displacement": ("displacement", problem.displacement),
+        "velocity": ("velocity", problem.front_velocity),
+        "collision_time": ("time", problem.collision_time),
+        "end_time": ("time", scene.end_time),
+        "interval": ("time", problem.interval),
+        "force_on_bead_1": ("force", scene.boundary.left_end**ALPHA),
+        "velocity_of_bead_1": ("velocity", scene.start.velocity[0]),
+    }
+    plain = {"mass": 1.0, "stiffness": 1.0, "damping": law.gamma}
+    si = {"mass": unit.mass, "stiffness": unit.stiffness, "damping": law.gamma / unit.gamma}
+    return {
+        "case": problem.name,
+        "beads": scene.beads.count,
+        "alpha": ALPHA,
+        "beta": law.beta,
+        "force_of_contact": "stiffness * (u^alpha + damping * d/dt u^beta)",
+        "dimensionless": plain | {name: value for name, (_, value) in kinds.items()},
+        f"si_of_{SI_BEADS.replace(' ', '_')}": si
+        | {name: unit.to_physical(value, kind) for name, (kind, value) in kinds.items()},
+    }

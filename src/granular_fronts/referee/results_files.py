@@ -9,6 +9,7 @@ import csv
 import math
 import re
 import reprlib
+from collections import defaultdict
 from itertools import zip_longest
 from pathlib import Path
 from typing import NamedTuple
@@ -57,6 +58,23 @@ class Result(NamedTuple):
     v: np.ndarray
     digits: int = ALL_DIGITS
     rounding: tuple[float, float] = (0.0, 0.0)
+
+
+def read_results(paths, problems):
+    """Read files, of which each problem has one for a step, and return lists by problem.
+
+    The largest step comes first.  An InputError says which file cannot be read, or is too many.
+    """
+    found = defaultdict(list)
+    for result in (read_result(path, problems) for path in paths):
+        if any(result.step == other.step for other in found[result.problem]):
+            raise InputError(
+                f"{result.problem} is there twice with step {result.step:g}: give each step once."
+            )
+        found[result.problem].append(result)
+    return {
+        name: sorted(results, key=lambda result: -result.step) for name, results in found.items()
+    }
 
 
 def read_result(path, problems):

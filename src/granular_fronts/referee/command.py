@@ -1,0 +1,119 @@
+"""Test a discrete-element code by problems with known answers.
+
+Results are called CASE_STEP.dump (LAMMPS, LIGGGHTS) or CASE_STEP.csv (columns t, bead, x, v).  The
+exit status is 0 if all are within the tolerance of their step, 1 if one is not, and 2 if something
+cannot be read.
+"""
+
+import argparse
+import json
+import math
+import sys
+from pathlib import Path
+
+from granular_fronts.errors import InputError, end_with_reader
+from granular_fronts.referee.answers import solve
+from granular_fronts.referee.assessment import find, measured
+from granular_fronts.referee.files import make_folder, write_case
+from granular_fronts.referee.problems import load_problems
+from granular_fronts.referee.results_files import read_results
+from granular_fronts.referee.tolerances import deviation, measure_tolerance
+from granular_fronts.reference_methods.half_step import SCHEMES
+
+
+def main(arguments=None):
+    """Carry out a command, and end with its exit status."""
+    end_with_reader()
+    options = _parser().parse_args(arguments)
+    try:
+        sys.exit(options.carry_out(load_problems(), options))
+    except InputError as error:
+        print(error, file=sys.stderr)
+        sys.exit(2)
+
+
+def _parser():
+    parser = argparse.ArgumentParser(
+        prog="granular-fronts-referee",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    cases = commands.add_parser("cases", help="list the cases")
+    cases.set_defaults(carry_out=_list)
+    write = commands.add_parser("write", help="write a case, its decks, answer and tolerances")
+    write.add_argument("case", metavar="CASE")
+    write.add_argument("folder", type=Path, metavar="FOLDER")
+    write.set_defaults(carry_out=_write)
+    judge = commands.add_parser("judge", help="test results by the tolerances of their steps")
+    judge.add_argument("files", nargs="+", type=Path, metavar="FILE")
+    judge.add_argument("--scheme", choices=SCHEMES, default="lagged_verlet", help="of the code")
+    judge.set_defaults(carry_out=_judge)
+    for command in (cases, judge):
+        command.add_argument("--json", action="store_true", help="print JSON for a program")
+    return parser
+
+
+def _list(problems, options):
+    if options.json:
+        print(json.dumps([problem.plain() for problem in problems.values()]))
+    else:
+        print("\n".join(problem.title for problem in problems.values()))
+    return 0
+
+
+def _write(problems, options):
+    if options.case not in problems:
+        raise InputError(f"There is no case {options.case}: choose from {', '.join(problems)}.")
+    make_folder("FOLDER", options.folder)
+    write_case(problems[options.case], options.folder)
+    return 0
+
+
+def _judge(problems, options):
+    """Print what was measured, and return 1 if a result misses its tolerance."""
+    rows = []
+    for name, results in read_results(options.files, problems).items():
+        problem, answer = problems[name], solve(problems[name])
+        findings = [find(problem, answer, result) for result in results]
+        limits = [measure_tolerance(problem, answer, options.scheme, one.step) for one in findings]
+        judged = [_row(name, *pair) for pair in zip(findings, limits, strict=True)]
+        rows += judged
+        if not options.json:
+            print("\n".join(measured(problem, findings)))
+            print("\n".join(_verdict_in_words(row, options.scheme) for row in judged))
+    if options.json:
+        print(json.dumps(rows))
+    return 0 if all(row["passes"] for row in rows) else 1
+
+
+def _row(name, finding, limit):
+    """Compare errors with their tolerances; an InputError says that digits leave it open."""
+    if abs(finding.error - limit.motion) < finding.error_open:
+        raise InputError(
+            f"{name} with step {finding.step:g} has {finding.digits} digits, too few to tell "
+            f"whether its error is below {limit.motion:.2g}: write all, in LAMMPS by dump_modify "
+            "… format float %.17g."
+        )
+    reading = deviation(finding)
+    read_within = math.isnan(limit.reading) or reading <= limit.reading
+    return {
+        "case": name,
+        "step": finding.step,
+        "error": finding.error,
+        "tolerance": limit.motion,
+        "reading": None if math.isnan(reading) else reading,
+        "reading_tolerance": None if math.isnan(limit.reading) else limit.reading,
+        "passes": finding.error <= limit.motion and read_within,
+    }
+
+
+def _verdict_in_words(row, scheme):
+    verdict = "is within" if row["passes"] else "MISSES"
+    reading = row["reading"] is not None and (
+        f", number off by {row['reading']:.1e} (tolerance {row['reading_tolerance']:.1e})"
+    )
+    return (
+        f"  Step {row['step']:g} {verdict} the tolerance of {scheme}: error {row['error']:.1e} "
+        f"(tolerance {row['tolerance']:.1e}){reading or ''}."
+    )
