@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -20,8 +21,6 @@ from granular_fronts.arguments import array, choice
 from granular_fronts.errors import InputError, NoFrontError
 from granular_fronts.fronts.profile.equation import FrontProblem, front_problem, power_problem
 from granular_fronts.fronts.profile.solve import (
-    FINER,
-    LONGER,
     ORDER,
     REFINED_ORDER,
     refine,
@@ -34,7 +33,6 @@ from granular_fronts.fronts.properties import (
     velocity,
     with_overshoot,
 )
-from granular_fronts.fronts.shooting import solve as shooting
 from granular_fronts.fronts.validation import (
     check_front,
     check_given_law,
@@ -51,13 +49,6 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
 ACCEPTED_ERROR = 1e-12  # of the strain of a converged front, relative to the larger state
-
-ERROR_METHODS = {
-    "profile": f"largest difference to a solution with {REFINED_ORDER} instead of {ORDER} points "
-    f"per polynomial, on a grid finer by {FINER} or more and a window longer by {LONGER}",
-    "shooting": "largest difference to a solution with twice the time steps, in a window longer by "
-    f"{shooting.LONGER_BEHIND:g} behind and {shooting.LONGER_AHEAD} beads ahead",
-}
 
 FIELDS = ("relative_displacement", "velocity", "strain")
 
@@ -234,6 +225,8 @@ def _settled(profile):
 
 def _by_shooting(sought):
     """Return a front and its refinement by shooting, on a grid for local polynomials."""
+    from granular_fronts.fronts.shooting import solve as shooting  # only this method needs it
+
     law = sought.law
     if not (law.is_power and sought.behind == -1.0):
         raise InputError(
@@ -336,8 +329,9 @@ def _describe_failure(method, sought, reason):
 
 
 def _dataset(method, sought, xi, fields, residuals, **attributes):
+    error_method = import_module(f"granular_fronts.fronts.{method}.solve").ERROR_METHOD
     variables = {
-        name: ("xi", values, {"error_estimate": error, "error_method": ERROR_METHODS[method]})
+        name: ("xi", values, {"error_estimate": error, "error_method": error_method})
         for name, (values, error) in fields.items()
     }
     variables["residual_history"] = ("iteration", residuals)

@@ -66,6 +66,7 @@ def evaluate_materials(beads, impact_velocity, piston_velocities, forces):
             "piston_velocity": ("piston_velocity", list(piston_velocities), {"units": "m s-1"}),
             "force": ("force", list(forces), {"units": "N"}),
         },
+        {"alpha": ALPHA},
     )
 
 

@@ -12,7 +12,6 @@ from matplotlib.patheffects import withStroke
 
 from drawing import write_figure
 from granular_fronts.output.style import LOOKS, new_figure
-from granular_fronts.studies.materials import ALPHA
 from job import job
 
 # Places of the regions, as shares of the sides of the panel.
@@ -75,11 +74,12 @@ def _draw_overshoot(axes: Axes, data: xr.Dataset) -> None:
 def _draw_materials(axes: Axes, materials: xr.Dataset) -> None:
     """The places of real beads in the plane of exponent and damping."""
     edge = [withStroke(linewidth=2, foreground="white")]
+    alpha = materials.attrs["alpha"]
     for gamma in materials["gamma_printed"]:
-        axes.plot(ALPHA, gamma, "o", color="black", markeredgecolor="white", markersize=5)
+        axes.plot(alpha, gamma, "o", color="black", markeredgecolor="white", markersize=5)
         axes.annotate(
             str(gamma["material"].values),
-            (ALPHA, float(gamma)),
+            (alpha, float(gamma)),
             xytext=(7, 0),
             textcoords="offset points",
             va="center",

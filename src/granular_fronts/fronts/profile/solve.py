@@ -70,6 +70,11 @@ ASSUMED_POWER = 12  # of the spacing, which that difference is taken to follow
 
 FINER, LONGER = 1.4, 1.1  # by how much the refined grid is finer, and its window longer
 
+ERROR_METHOD = (
+    f"largest difference to a solution with {REFINED_ORDER} instead of {ORDER} points per "
+    f"polynomial, on a grid finer by {FINER} or more and a window longer by {LONGER}"
+)
+
 # What a front keeps to, where rounding is not magnified.
 AT_REST = 5e-14
 BELOW = 1e-12

@@ -54,6 +54,11 @@ FLOW_ERROR = 2.0e-14
 UNTOUCHED = 1.0e-15  # u of the last bead
 LONGER_BEHIND, LONGER_AHEAD = 1.25, 4  # of a refined window: factor, and beads
 
+ERROR_METHOD = (
+    "largest difference to a solution with twice the time steps, in a window longer by "
+    f"{LONGER_BEHIND:g} behind and {LONGER_AHEAD} beads ahead"
+)
+
 
 class Shot(NamedTuple):
     """A front in the frame δ = c = 1, as a state of beads; arrays of shape (beads,)."""
