@@ -4,14 +4,12 @@ import itertools
 
 import numpy as np
 import pytest
-from chains import integrate_strain_fixed
 
 from granular_fronts.fronts.shooting import bead_flow
 from granular_fronts.fronts.shooting.bead_flow import PowerLaw
-from granular_fronts.model.laws import make_law
 from granular_fronts.numerics.banded_qr import band_storage, solve_least_squares
 
-LAWS = [(1.5, 1.5, 0.3), (1.2, 1.2, 0.05), (1.5, 1.0, 0.4), (1.5, 2.5, 0.2)]
+LAWS = [(1.2, 1.2, 0.05), (1.5, 1.0, 0.4), (1.5, 2.5, 0.2)]
 by_law = pytest.mark.parametrize("law", [PowerLaw(*law) for law in LAWS], ids=str)
 CONTACTS, STEPS, SPREAD = 40, 16, 20
 
@@ -91,20 +89,6 @@ def test_flow_is_of_order_eight(law):
     exact = moved(law, *start, steps=64)[0]
     errors = [np.abs(moved(law, *start, steps=s)[0] - exact).max() for s in (3, 6)]
     assert 6.5 < np.log2(errors[0] / errors[1]) < 10.5
-
-
-def test_flow_is_that_of_the_chain():
-    """Inside the domain of influence the window and a ring of the same state move alike."""
-    law, ring_law = PowerLaw(1.5, 1.5, 0.1), make_law(alpha=1.5, gamma=0.1)
-    phase = 2.0 * np.pi * np.arange(CONTACTS) / CONTACTS
-    u, velocity = 1.0 + 0.3 * np.cos(phase), 0.2 * np.sin(phase)
-    ring = integrate_strain_fixed(ring_law, u, velocity, 1.0 / STEPS, STEPS)
-    start = integrate_strain_fixed(ring_law, u, velocity, 1.0 / STEPS, 0)
-    window = moved(law, *np.pad(start, ((0, 0), (1, 1))))[0]
-    middle = slice(15, 26)
-    np.testing.assert_allclose(
-        window[:, 1:-1][:, middle], np.array(ring)[:, middle], rtol=0, atol=3.0e-15
-    )
 
 
 @pytest.mark.parametrize(("rows", "columns", "lower", "upper"), [(60, 55, 9, 6), (30, 30, 2, 3)])
