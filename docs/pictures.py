@@ -15,7 +15,7 @@ from PIL import Image, PngImagePlugin
 from granular_fronts.output.datasets import configuration_of, read_dataset
 
 ROOT = Path(__file__).parents[1]
-WIDTH, COLOURS = 800, 64
+COLOURS = 256
 
 
 def digest(parameters: dict) -> str:
@@ -24,22 +24,25 @@ def digest(parameters: dict) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
-def shrink(figure: Path, digests: dict[str, str], picture: Path) -> None:
-    """Write a figure as a small picture, at most 60 kB."""
+def shrink(figure: Path, scenes: dict[str, str], picture: Path) -> None:
+    """Write a figure in fewer colours, at most 60 kB; scenes are by the keywords of figures."""
     with Image.open(figure) as drawn:
-        scenes = [word.partition(":")[0] for word in drawn.text["Keywords"].split()]
-        height = round(WIDTH * drawn.height / drawn.width)
-        small = drawn.convert("RGB").resize((WIDTH, height), Image.Resampling.LANCZOS)
+        shown = [scenes[word] for word in drawn.text["Keywords"].split()]
+        small = drawn.convert("RGB").quantize(COLOURS, Image.Quantize.MAXCOVERAGE)
     information = PngImagePlugin.PngInfo()
-    information.add_text("Keywords", " ".join(f"{name}:{digests[name]}" for name in scenes))
-    small.quantize(COLOURS, Image.Quantize.MAXCOVERAGE).save(
-        picture, optimize=True, pnginfo=information
-    )
+    information.add_text("Keywords", " ".join(shown))
+    small.save(picture, optimize=True, pnginfo=information)
 
 
 if __name__ == "__main__":
     data = [read_dataset(file) for file in sorted((ROOT / "results/data").glob("*/*.nc"))]
-    known = {one.attrs["scene"]: digest(configuration_of(one)) for one in data}
+    # Scenes of projects may have the same names.
+    known = {
+        f"{one.attrs['scene']}:{one.attrs['data_digest']}": (
+            f"{one.attrs['scene']}:{digest(configuration_of(one))}"
+        )
+        for one in data
+    }
     (ROOT / "docs/figures").mkdir(exist_ok=True)
     for texts in sorted((ROOT / "workflow/captions").glob("[!t]*.rst")):
         shrink(
