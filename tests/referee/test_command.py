@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 import subprocess
 import sys
 import tomllib
@@ -54,8 +55,10 @@ def test_a_scheme_passes_by_its_tolerance_and_faults_do_not(
     result = move(PROBLEMS[name], **{"step": 0.1, "scheme": scheme} | change)
     file = table(tmp_path, name, 0.1, result._replace(step=0.1))
     assert status("judge", file, "--scheme", judged_by, "--json") == expected
-    [row] = json.loads(capsys.readouterr().out)
-    assert (row["case"], row["step"], row["passes"]) == (name, 0.1, not expected)
+    [case] = json.loads(capsys.readouterr().out)
+    [row] = case["results"]
+    assert (case["case"], row["step"], row["passes"]) == (name, 0.1, not expected)
+    assert case["order"] is None
     within = row["error"] <= row["tolerance"] and row["reading"] <= row["reading_tolerance"]
     assert within == row["passes"]
 
@@ -67,6 +70,36 @@ def test_one_result_that_misses_decides(tmp_path, capsys):
     assert status("judge", files[0]) == 0
     assert status("judge", *files) == 1
     assert capsys.readouterr().out.count("MISSES") == 1
+
+
+BESIDE = r"^    (\w+): order (\S+) ± \S+, (\S+) from the result"
+
+
+@pytest.mark.parametrize(
+    ("scheme", "orders"),
+    [("lagged_verlet", (2, 1)), ("predicted_verlet", (2, 2)), ("symplectic_euler", (1, 1))],
+)
+def test_impact_without_and_front_with_damping_tell_schemes_apart(scheme, orders, tmp_path, capsys):
+    """By two orders, and by a distance that is zero to rounding for one's own scheme alone."""
+    files = [
+        table(tmp_path, name, step, move(PROBLEMS[name], step, scheme))
+        for name in (WAVE, FRONT)
+        for step in (0.1, 0.05, 0.025)
+    ]
+    assert status("judge", *files, "--scheme", scheme) == 0
+    beside = re.findall(BESIDE, capsys.readouterr().out, re.MULTILINE)
+    assert status("judge", *files, "--scheme", scheme, "--json") == 0
+    cases = json.loads(capsys.readouterr().out)
+    assert [case["order"] for case in cases] == pytest.approx(orders, abs=0.1)
+    assert cases[0]["excess_damping"] is None
+    assert abs(cases[1]["excess_damping"]) < cases[1]["excess_damping_scatter"] < 0.01
+    distances = [(name, float(far)) for name, _, far in beside]
+    assert {name for name, far in distances[3:] if far < 1e-10} == {scheme}
+    assert min(far for name, far in distances[3:] if name != scheme) > 1e-3
+    alike = {name for name, far in distances[:3] if far < 1e-10}
+    assert alike == (
+        {"symplectic_euler"} if orders[0] == 1 else SCHEMES.keys() - {"symplectic_euler"}
+    )
 
 
 def test_bad_input_has_a_status_of_its_own_and_one_sentence(tmp_path, capsys):

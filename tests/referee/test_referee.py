@@ -14,7 +14,13 @@ from granular_fronts.model.laws import make_law
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.referee.__main__ import main
 from granular_fronts.referee.answers import solve, states
-from granular_fronts.referee.assessment import Finding, find, observed_order, report
+from granular_fronts.referee.assessment import (
+    Finding,
+    damping_without_step,
+    find,
+    observed_order,
+    report,
+)
 from granular_fronts.referee.drawing import draw
 from granular_fronts.referee.files import write_problems
 from granular_fronts.referee.lammps_deck import damping_model, write_deck
@@ -23,6 +29,7 @@ from granular_fronts.referee.problems import in_words, load_problems
 from granular_fronts.referee.results_files import Result, read_result
 from granular_fronts.referee.settings import read_settings
 from granular_fronts.referee.tolerances import move
+from granular_fronts.reference_methods.half_step import SCHEMES
 
 SETTINGS = read_settings().plain()
 PROBLEMS = load_problems()
@@ -191,6 +198,16 @@ def test_accurate_result_passes_and_another_damping_is_seen(folder, problem):
     wrong = [find(problem, answer, move(problem, step, factor=1.05)) for step in (0.01, 0.005)]
     assert wrong[1].excess == pytest.approx(0.05, abs=3e-3)
     assert observed_order(wrong).value < 0.3
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_damping_is_told_from_the_step(folder, problem, scheme):
+    """3 % of it are really there, the rest falls with the step."""
+    answer, steps = read_dataset(folder / FRONT / "answer.nc"), (0.1, 0.05, 0.025)
+    found = [find(problem, answer, move(problem, step, scheme, 1.03)) for step in steps]
+    excess, change = damping_without_step(found)
+    assert abs(excess - 0.03) < 2.0 * change < 0.003
+    assert np.isnan(damping_without_step(found[:2])).all()
 
 
 def test_order_of_known_errors():

@@ -13,11 +13,11 @@ from pathlib import Path
 
 from granular_fronts.errors import InputError, end_with_reader
 from granular_fronts.referee.answers import solve
-from granular_fronts.referee.assessment import find, measured
+from granular_fronts.referee.assessment import damping_without_step, find, measured, observed_order
 from granular_fronts.referee.files import make_folder, write_case
 from granular_fronts.referee.problems import load_problems
 from granular_fronts.referee.results_files import read_results
-from granular_fronts.referee.tolerances import deviation, measure_tolerance
+from granular_fronts.referee.tolerances import deviation, measure_tolerance, move, with_states_of
 from granular_fronts.reference_methods.half_step import SCHEMES
 
 
@@ -72,19 +72,44 @@ def _write(problems, options):
 
 def _judge(problems, options):
     """Print what was measured, and return 1 if a result misses its tolerance."""
-    rows = []
+    cases = []
     for name, results in read_results(options.files, problems).items():
         problem, answer = problems[name], solve(problems[name])
         findings = [find(problem, answer, result) for result in results]
         limits = [measure_tolerance(problem, answer, options.scheme, one.step) for one in findings]
-        judged = [_row(name, *pair) for pair in zip(findings, limits, strict=True)]
-        rows += judged
+        rows = [_row(name, *pair) for pair in zip(findings, limits, strict=True)]
+        cases.append({"case": name, "results": rows} | _summary(findings))
         if not options.json:
             print("\n".join(measured(problem, findings)))
-            print("\n".join(_verdict_in_words(row, options.scheme) for row in judged))
+            print("\n".join(_verdict_in_words(row, options.scheme) for row in rows))
+            print("\n".join(_beside_schemes(problem, answer, results)))
     if options.json:
-        print(json.dumps(rows))
-    return 0 if all(row["passes"] for row in rows) else 1
+        print(json.dumps(cases))
+    return 0 if all(row["passes"] for case in cases for row in case["results"]) else 1
+
+
+def _summary(findings):
+    """Return order and excess damping with their scatter, null where the steps are too few."""
+    order = observed_order(findings) if len(findings) > 1 else (math.nan, math.nan)
+    names = "order", "order_scatter", "excess_damping", "excess_damping_scatter"
+    numbers = *order, *damping_without_step(findings)
+    return {name: _number(number) for name, number in zip(names, numbers, strict=True)}
+
+
+def _number(number):
+    """Return what JSON can hold."""
+    return None if math.isnan(number) else float(number)
+
+
+def _beside_schemes(problem, answer, results):
+    """Each scheme's order at the same steps, and how far the result is from it at the smallest."""
+    yield "  Three schemes, measured alike; a code may have the order of one for another reason:"
+    for name in SCHEMES:
+        motions = [move(problem, result.step, name) for result in results]
+        findings = [find(problem, answer, motion) for motion in motions]
+        order = f"order {observed_order(findings)}, " if len(findings) > 1 else ""
+        apart = find(problem, with_states_of(motions[-1], answer), results[-1]).error
+        yield f"    {name}: {order}{apart:.1e} from the result at step {results[-1].step:g}."
 
 
 def _row(name, finding, limit):
@@ -98,12 +123,11 @@ def _row(name, finding, limit):
     reading = deviation(finding)
     read_within = math.isnan(limit.reading) or reading <= limit.reading
     return {
-        "case": name,
         "step": finding.step,
         "error": finding.error,
         "tolerance": limit.motion,
-        "reading": None if math.isnan(reading) else reading,
-        "reading_tolerance": None if math.isnan(limit.reading) else limit.reading,
+        "reading": _number(reading),
+        "reading_tolerance": _number(limit.reading),
         "passes": finding.error <= limit.motion and read_within,
     }
 

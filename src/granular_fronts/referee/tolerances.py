@@ -50,6 +50,12 @@ def move(problem, step, scheme="lagged_verlet", factor=1.0):
     return Result(problem.name, step, motion.t[::every], motion.x[::every], motion.v[::every])
 
 
+def with_states_of(result, answer):
+    """Return an answer with the states of a result, to tell how far another one is from it."""
+    fields = {"relative_displacement": -np.diff(result.x), "velocity": result.v}
+    return answer.assign({name: (answer[name].dims, field) for name, field in fields.items()})
+
+
 def measure_tolerance(problem, answer, scheme, step):
     """Return the tolerance of a scheme at a step."""
     results = [move(problem, step / part, scheme) for part in PARTS]
