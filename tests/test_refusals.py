@@ -158,8 +158,9 @@ REFUSALS[scene("heteroclinic", "front_profiles")] = [
     ({"portrait__starts": [[0.5, 0], [-1, 0]]}, "portrait.starts (entry 2) is [-1, 0]"),
 ]
 
-# Chains of laws of potentials.
+# Chains of laws of potentials, of unlike beads, with drives and sensors.
 
+POWERS = {"law": {"alpha": 1.5, "gamma": 0.2}}
 BARRIER = gf.Potential(
     lambda r: -np.log(-r),
     lambda r: -1.0 / r,
@@ -170,9 +171,9 @@ BARRIER = gf.Potential(
 
 
 def chain_of(changes):
-    chain = {"beads": 20, "boundary": pressed(0.3), "start": {"kind": "rest"}, "end_time": 12.0}
+    chain = POWERS | {"beads": 20, "boundary": pressed(0.3), "start": {"kind": "rest"}}
     chain |= {"tolerance": {"relative": 1e-9, "absolute": 1e-11}, "record": {"snapshots": [12.0]}}
-    Chain.read(chain | changes, "mine")
+    Chain.read(chain | {"end_time": 12.0} | changes, "mine")
 
 
 def pressed(left, right=0.0):
@@ -183,7 +184,6 @@ def of(kind, **parameters):
     return {"law": {"elastic": {"kind": kind, **parameters}}}
 
 
-POWERS = {"law": {"alpha": 1.5, "beta": 2.5, "gamma": 0.2}}
 REFUSALS[chain_of] = [
     ({"law": TODA | {"alpha": 1.5}}, "law.alpha is no key"),
     (of("toda", rate=0), "law: rate is 0 | above 0"),
@@ -197,8 +197,8 @@ REFUSALS[chain_of] = [
         "law.elastic | about 1e-200 | energies of about 1e-323 | 1e±140\n"
         "law.viscous | about 1e-200 | 1e±140",
     ),
-    (POWERS | {"boundary": pressed(-0.1)}, "boundary.left is -0.1 | limit 0"),
-    (POWERS | {"record": {"snapshots": [], "arrival_level": -0.1}}, "level is -0.1 | above 0"),
+    ({"boundary": pressed(-0.1)}, "boundary.left is -0.1 | limit 0"),
+    ({"record": {"snapshots": [], "arrival_level": -0.1}}, "level is -0.1 | above 0"),
     (
         {"law": gf.make_law(elastic=BARRIER), "boundary": {"kind": "piston", "velocity": 0.0}},
         "boundary.right is 0 | between 0.01 and 2\nstart.relative_displacement of a",
@@ -206,6 +206,110 @@ REFUSALS[chain_of] = [
     (
         {"law": gf.make_law(elastic=BARRIER), "boundary": pressed(0.5, 0.4)},
         "start.relative_displacement of a chain at rest is 0",
+    ),
+]
+
+
+def masses(**pattern):
+    return {"beads": {"count": 5, "mass": pattern}}
+
+
+def held(boundary, kind="equilibrium", **changes):
+    """A chain that begins in balance."""
+    return {"boundary": boundary, "start": {"kind": kind} | changes}
+
+
+FREE, WALL = pressed(0.0), {"kind": "wall", "left": 0.0}
+FAST = {"beads": 1, "velocity": 1.0}
+ON_A_RING = {"kind": "given", "relative_displacement": [0.1] * 13, "velocity": [0.0] * 13}
+THIRTEEN = {"beads": 13, "boundary": {"kind": "ring"}, "start": ON_A_RING}
+REFUSALS[chain_of] += [
+    (masses(list=[1.0, 2.0]), "beads.mass.list has 2 values | 5"),
+    (masses(impurity=[{"bead": 3, "mass": m} for m in (2, 5)]), "impurity names 3 more than once"),
+    (masses(taper={}), "beads.mass.taper is empty"),
+    (masses(taper={"difference": -0.25}), "difference is -0.25 | -0.25"),
+    (masses(random={"spread": 1.5, "seed": 1}), "spread is 1.5 | 1"),
+    (masses(cell=[1.0e6], random={"spread": 0.5, "seed": 1}), "beads.mass comes to 1e±6 | 1e±6"),
+    (masses(list=[1.0e-4] * 5, taper={"ratio": 0.2}), "beads.mass comes to 1e±7"),
+    (masses(impurity={"bead": 1, "mass": 1.0e-7}), "beads.mass comes to 1e±7"),
+    (THIRTEEN | {"contacts": {"elastic": {"cell": [1, 2]}}}, "13 | 12"),
+    (THIRTEEN | {"contacts": {"viscous": {"taper": {"ratio": 0.9}}}}, "viscous.taper is given"),
+    ({"contacts": {"elastic": {"impurity": {"contact": 20, "factor": 2}}}}, "is at 20 | 19"),
+    (held(FREE, "striker", **FAST | {"beads": 20}), "start.beads is 20 | 19"),
+    (held(FREE, "striker", **FAST | {"velocity": 0.0}), "start.velocity is 0"),
+    (held(FREE, "striker", **FAST) | {"gravity": 0.1}, "gravity 0.1 | balance"),
+    (held(pressed(0.1), "striker", **FAST), "boundary.left is 0.1 | 0"),
+    (held(WALL | {"left": -0.1}) | {"law": TODA}, "boundary.left is -0.1 | pulls"),
+    (held(WALL) | {"gravity": -0.1}, "gravity is -0.1 | 0 or more"),
+    (THIRTEEN | {"gravity": 0.1}, "gravity is 0.1 | ring"),
+]
+STEEL_WALL = WALL | {"material": "steel"}
+
+
+def spheres(words, **changes):
+    return {"beads": {"count": 12, "cell": [words]}} | changes
+
+
+REFUSALS[chain_of] += [
+    (spheres("steal 9.5 mm"), "beads.cell (entry 1): 'steal' is no material: did you mean steel?"),
+    (spheres("steel 9.5 kg"), "'steel 9.5 kg' has the unit kg, which is no length | mm"),
+    (spheres("steel 9.5"), "has the unit none | mm"),
+    (spheres("steel 0 mm"), "has the diameter 0: give a number above 0"),
+    (spheres("steel 1e999 mm"), "has the diameter 1e999"),
+    (spheres("steel"), "without a diameter: give one, as in steel 9.5 mm"),
+    (spheres("9.5 mm steel"), "is no body | as in steel 9.5 mm"),
+    (spheres("steel 5 mm", law={"alpha": 2, "gamma": 0}), "law has alpha 2: give alpha 1.5"),
+    (spheres("steel 5 mm", boundary=WALL), "boundary.material is missing"),
+    (spheres("steel 5 mm", boundary=STEEL_WALL | {"material": "wood"}), "'wood' is no material"),
+    (spheres("steel 5 mm", contacts={"elastic": 2.0}), "contacts.elastic is given"),
+    ({"boundary": STEEL_WALL}, "boundary.material is steel | no material"),
+    ({"beads": {"count": 3, "list": ["steel 1 m"]}}, "beads.list has 1 values | 3"),
+    ({"beads": {"count": 3, "cell": ["steel 1 m"], "mass": 2.0}}, "but mass is given"),
+    ({"beads": {"count": 2, "list": ["steel 1 m", "steel 1 um"]}}, "beads comes to 1e±18"),
+]
+SINE, STEP = {"amplitude": 1.0, "angular_frequency": 1.0}, {"height": 1, "duration": 1}
+
+
+def push(force):
+    return {"boundary": {"kind": "force", "force": force}}
+
+
+def pull(velocity, **changes):
+    return {"boundary": {"kind": "piston", "velocity": velocity} | changes}
+
+
+REFUSALS[chain_of] += [
+    ({"boundary": {"kind": "force", "right": 0}}, "boundary.force is missing | External force"),
+    (push({}), "boundary.force is empty | half_sine"),
+    (push(float("inf")), "boundary.force is inf | finite"),
+    (push(1.0e200), "law has alpha 1.5 | energies of about 1e+333"),
+    (push({"square": SINE}), "boundary.force.square is no key | pulse, half_sine"),
+    (push({"harmonic": SINE, "pulse": STEP}), "give one"),
+    (push({"pulse": STEP | {"duration": 0}}), "pulse.duration is 0 | above 0"),
+    (push({"table": {"times": [0, 1], "values": [1]}}), "2 entries, but values has 1"),
+    (push({"table": {"times": [0, 2, 1], "values": [1] * 3}}), "(entry 3) is 1 | is 2"),
+    (push({"table": {"times": [-1, 0], "values": [1, 1]}}), "(entry 1) is -1"),
+    (pull({"pulse": STEP}), "boundary.velocity.pulse jumps | infinite force | table"),
+    (pull({"harmonic": SINE}, ramp=1), "boundary.ramp is given"),
+    ({"boundary": WALL | {"force": 0.1}}, "boundary has left and force"),
+]
+
+
+def sensor(**places):
+    one = {"start": 0.0, "stop": 8.0, "step": 0.02} | places
+    return {"record": {"snapshots": [], "sensors": {"one": one}}}
+
+
+REFUSALS[chain_of] += [
+    (sensor(contacts=[20]), "sensors.one.contacts names contact 20 | 19 contacts | 1 to 19"),
+    (sensor(beads=[21]), "sensors.one.beads names bead 21 | 20 beads"),
+    (sensor(), "sensors.one has neither contacts nor beads"),
+    (sensor(contacts=[1], step=30.0), "sensors.one.step"),
+    (sensor(contacts=[1], stop=13.0), "sensors.one.stop is 13 | end_time 12"),
+    (sensor(contacts=[1], step=1e-8), "sensors.one.step is 1e-08 | GiB"),
+    (
+        {"record": sensor(contacts=[1])["record"] | {"probes": {"one": PROBE}}},
+        "sensors.one has the name of record.probes.one",
     ),
 ]
 

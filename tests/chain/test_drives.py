@@ -1,9 +1,8 @@
-"""Forces and velocities of time: their functions, order, errors, refusals."""
+"""Forces and velocities of time: their functions, order and errors."""
 
 import numpy as np
 import pytest
 from chains import TIGHT, driven_scene, given, last_state
-from configurations import assert_refused
 from rings import slope_and_residual
 from scipy.integrate import quad
 
@@ -12,7 +11,7 @@ from granular_fronts.chain.drives import make_drive
 from granular_fronts.chain.simulate import simulate_chain, solve
 from granular_fronts.chain.state import D, U
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.chain import Chain, Force, Piston
+from granular_fronts.scenes.chain import Force, Piston
 
 TIMES, VALUES = [1.0, 2.5, 3.0, 6.0], [0.02, 0.1, -0.03, 0.05]
 PULSE = {"height": 0.1, "duration": 3.0, "offset": 0.01}
@@ -63,6 +62,14 @@ def test_a_table_of_two_points_is_a_ramp():
     ramp = scene_of("velocity", 0.05)
     ramp["boundary"]["ramp"] = 5.0
     np.testing.assert_array_equal(last_state(scene_of("velocity", table)), last_state(ramp))
+
+
+@pytest.mark.parametrize("key", ["force", "velocity"])
+def test_the_right_end_ahead_of_a_drive_is_free_by_default(key):
+    scene = scene_of(key, 0.05)
+    free = last_state(scene)
+    del scene["boundary"]["right"]
+    np.testing.assert_array_equal(last_state(scene), free)
 
 
 BENT = given(1.0 + 0.3 * np.cos(np.pi * np.arange(11) / 11), [0.0] * 12)
@@ -135,14 +142,6 @@ def test_a_driven_chain_may_begin_compressed(key, drive):
     np.testing.assert_allclose(last_state(scene), [0.25] * 8 + [0.0] * 8, rtol=0, atol=1e-14)
 
 
-def test_the_right_end_ahead_of_a_drive_is_free_by_default():
-    for key in ("force", "velocity"):
-        scene = scene_of(key, 0.05)
-        free = last_state(scene)
-        del scene["boundary"]["right"]
-        np.testing.assert_array_equal(last_state(scene), free)
-
-
 def test_a_piston_drives_a_front_of_equations_22_and_23():
     """A piston of velocity V is followed by beads of v_p = V; its start leaves waves of n^(−2)."""
     delta, speed = 0.05**0.8, 0.05**0.2
@@ -154,36 +153,3 @@ def test_a_piston_drives_a_front_of_equations_22_and_23():
     assert float(behind["velocity"]) == pytest.approx(0.05, rel=5e-6)
     assert float(behind["relative_displacement"]) == pytest.approx(delta, rel=5e-6)
     assert float(motion["front_speed"]) == pytest.approx(speed, rel=5e-6)
-
-
-SINE = {"amplitude": 1.0, "angular_frequency": 1.0}
-PUSH = {"kind": "force", "right": 0}
-REFUSED = [
-    (PUSH, "boundary.force is missing | External force"),
-    (PUSH | {"force": {}}, "boundary.force is empty | half_sine"),
-    (PUSH | {"force": float("inf")}, "boundary.force is inf | finite"),
-    (PUSH | {"force": 1.0e200}, "law has alpha 1.5 | energies of about 1e+333"),
-    (PUSH | {"force": {"square": SINE}}, "boundary.force.square is no key | pulse, half_sine"),
-    (PUSH | {"force": {"harmonic": SINE | {"angular_frequency": 0}}}, "frequency is 0 | above 0"),
-    (PUSH | {"force": {"harmonic": SINE, "pulse": {"height": 1, "duration": 1}}}, "give one"),
-    (PUSH | {"force": {"pulse": {"height": 1, "duration": 0}}}, "pulse.duration is 0 | above 0"),
-    (PUSH | {"force": {"table": {"times": [0, 1], "values": [1]}}}, "2 entries, but values has 1"),
-    (PUSH | {"force": {"table": {"times": [0, 2, 1], "values": [1] * 3}}}, "(entry 3) is 1 | is 2"),
-    (
-        PUSH | {"force": {"table": {"times": [-1, 0], "values": [1, 1]}}},
-        "(entry 1) is -1",
-    ),
-    (
-        {"kind": "piston", "velocity": {"pulse": {"height": 1, "duration": 1}}},
-        "boundary.velocity.pulse jumps | infinite force | table",
-    ),
-    ({"kind": "piston", "velocity": {"harmonic": SINE}, "ramp": 1}, "boundary.ramp is given"),
-    ({"kind": "wall", "left": 0.1, "force": 0.1}, "boundary has left and force"),
-]
-
-
-@pytest.mark.parametrize(("boundary", "words"), REFUSED, ids=[words for _, words in REFUSED])
-def test_an_impossible_drive_is_refused_in_a_sentence(boundary, words):
-    with pytest.raises(InputError) as caught:
-        Chain.read(driven_scene(boundary=boundary), "mine")
-    assert_refused(str(caught.value), words)
