@@ -1,9 +1,6 @@
 """Row maps: the numbers of the potentials themselves, in vector code, cached, for any function."""
 
 import math
-import os
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -78,40 +75,6 @@ def test_row_maps_are_vector_code(kind, order):
     assert mapping < FASTEST_SCALAR_CODE * root
 
 
-COUNT_COMPILATIONS = """
-from numba.core import ccallback
-compile_uncached, compiled = ccallback.CFunc._compile_uncached, []
-def count(self):
-    compiled.append(self)
-    return compile_uncached(self)
-ccallback.CFunc._compile_uncached = count
-from granular_fronts.chain.stage_passes import stage_pass
-from granular_fronts.model.passes import row_map
-from granular_fronts.model.potentials import make_potential
-for kind, parameters in [("hertz", {"alpha": 1.5}), ("toda", {}), ("morse", {"rate": 2.0})]:
-    potential = make_potential(kind, **parameters)
-    stage_pass(potential)
-    for order in (1, 2):
-        row_map(potential, order)
-print(len(compiled))
-"""
-
-
-# Kernels are compiled from nothing.
-@pytest.mark.nightly
-def test_named_kinds_are_compiled_once_for_all_processes(tmp_path):
-    """Three stage passes, and five row maps, of which Hertz's serves both orders."""
-    environment, found = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}, []
-    for _ in range(2):
-        command = [sys.executable, "-c", COUNT_COMPILATIONS]
-        run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-        files = {file for file in tmp_path.rglob("*") if file.suffix in {".nbi", ".nbc"}}
-        found.append((int(run.stdout), files))
-    (first, made), (second, later) = found
-    assert (first, second) == (8, 0)
-    assert later == made
-
-
 def by_sympy(make, **kinks):
     sympy = pytest.importorskip("sympy", reason="SymPy comes with the optional extra symbolic")
     r = sympy.Symbol("r")
@@ -149,24 +112,7 @@ def test_a_users_law_gives_no_number_outside_its_interval():
 
 
 def test_a_constant_that_changes_after_compilation_is_noticed():
-    stiffness = 1.0
-    potential = gf.Potential(
-        lambda r: 0.5 * stiffness * r * r,
-        lambda r: stiffness * r,
-        lambda r: stiffness + 0.0 * r,
-        interval=(-3, 3),
-        name="a spring",
-    )
-    address = row_map(potential, 1)
-    assert row_map(potential.scaled(0.5), 1) == address
-    stiffness = 1.0 + 1e-6
-    with pytest.raises(InputError, match=r"of a spring is .* but .* in compiled code: numba freez"):
-        row_map(potential, 1)
-    stiffness = 1.0
-    assert row_map(potential, 1) == address
-
-
-def test_a_constant_that_matters_between_two_kinks_alone_is_noticed():
+    """Where it matters between two kinks alone, too."""
     depth = 1.0
 
     def force(r):
@@ -179,32 +125,27 @@ def test_a_constant_that_matters_between_two_kinks_alone_is_noticed():
         x = np.minimum(np.maximum(r, 0.0), 1e-3)
         return 0.5 * r * r + depth * (5e-4 * x * x - x * x * x / 3.0)
 
-    potential = gf.Potential(value, force, slope, interval=(-1, 1), kinks=(0.0, 1e-3))
-    row_map(potential, 1)
+    kinks = {"interval": (-1, 1), "kinks": (0.0, 1e-3), "name": "a spring"}
+    potential = gf.Potential(value, force, slope, **kinks)
+    address = row_map(potential, 1)
+    assert row_map(potential.scaled(0.5), 1) == address
     depth = 2.0
-    with pytest.raises(InputError, match="in compiled code"):
+    with pytest.raises(InputError, match=r"of a spring is .* but .* in compiled code"):
         row_map(potential, 1)
+    depth = 1.0
+    assert row_map(potential, 1) == address
 
 
-def test_a_function_that_compiles_to_other_numbers_is_noticed():
+def test_a_function_that_compiles_to_other_numbers_or_not_at_all_is_named():
     """Integers of Python have no limit, those of compiled code have 64 bits."""
-    digits = 20
-    potential = gf.Potential(
+    digits, own = 20, np.vectorize(lambda r: math.exp(r))
+    other = gf.Potential(
         np.cosh, np.sinh, lambda r: np.cosh(r) * (1e-20 * 10**digits), interval=(-1, 1)
     )
-    assert row_map(potential, 1)
+    unknown = gf.Potential(own, own, np.exp, interval=(-1, 1), name="mine")
+    assert row_map(other, 1)
     with pytest.raises(InputError, match=r"V'' of the potential is .* in compiled code"):
-        row_map(potential, 2)
-
-
-def test_a_function_that_numba_does_not_know_is_named():
-    potential = gf.Potential(
-        np.vectorize(lambda r: math.exp(r)),
-        np.vectorize(lambda r: math.exp(r)),
-        np.exp,
-        interval=(-1, 1),
-        name="mine",
-    )
-    with pytest.raises(InputError, match="V' of mine cannot be compiled for chains: write it of"):
-        row_map(potential, 1)
-    assert row_map(potential, 2)
+        row_map(other, 2)
+    assert row_map(unknown, 2)
+    with pytest.raises(InputError, match="V' of mine cannot be compiled for chains"):
+        row_map(unknown, 1)
