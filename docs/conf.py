@@ -1,6 +1,7 @@
 """Manual of granular-fronts; `make docs` builds it of these pages, docstrings and results."""
 
 import re
+import shutil
 import sys
 from importlib import import_module
 from pathlib import Path
@@ -60,7 +61,7 @@ html_copy_source = False
 html_show_search_summary = False
 
 
-RESULTS = HERE.parent / "results"
+RESULTS, LIVE = HERE.parent / "results", HERE / "live"
 SHOWN = set(links.TEXTS)
 """Files that a page links to: they are shown as pages of their own."""
 
@@ -78,8 +79,12 @@ class Links(SphinxTransform):
         page, folder = self.env.docname, Path(self.env.srcdir, self.env.docname).parent
         up = "../" * page.count("/")
         for node in list(self.document.findall(addnodes.download_reference)):
-            SHOWN.add(file := (folder / node["reftarget"]).resolve())
-            uri = f"{up}sources/{file.relative_to(links.ROOT)}.html"
+            file = (folder / node["reftarget"]).resolve()
+            if file.parent == LIVE:
+                uri = f"{up}{file.relative_to(HERE)}"
+            else:
+                SHOWN.add(file)
+                uri = f"{up}sources/{file.relative_to(links.ROOT)}.html"
             node.replace_self(nodes.reference("", "", *node.children, refuri=uri))
         for node in list(self.document.findall(nodes.Text)):
             parent, text, new, end = node.parent, node.astext(), [], 0
@@ -117,7 +122,12 @@ def setup(app):
             re.sub(r"`granular_fronts\.(\w+(?:\.\w+)?)`", r"`gf.\1`", line) for line in lines
         ]
 
+    def copy_live_page(app, error):
+        if not error:
+            shutil.copytree(LIVE, Path(app.outdir, LIVE.name), dirs_exist_ok=True)
+
     app.connect("source-read", fill_page)
     app.connect("autodoc-process-docstring", name_as_used)
     app.connect("html-collect-pages", show_files)
+    app.connect("build-finished", copy_live_page)
     app.add_transform(Links)
