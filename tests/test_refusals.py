@@ -18,11 +18,14 @@ from campaigns import CHAINS, CHAINS_OF_A_LAW, PULSE, RATIOS, RINGS, TODA, campa
 from campaigns import SCENE as MOTION
 from granular_fronts.campaign.ring_points import make_ring
 from granular_fronts.continuum.evolution import evolve_unlimited
+from granular_fronts.continuum.log_burgers.equation import flux
+from granular_fronts.continuum.log_kdv_burgers.heteroclinic import turning_points
 from granular_fronts.errors import InputError
 from granular_fronts.model.scaling import Scaling
 from granular_fronts.scenes import memory
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.configuration import SCENES, check_configuration
+from granular_fronts.scenes.ring import Ring
 from granular_fronts.scenes.yaml_files import LONGEST_FILE, load_configuration
 
 DEFAULTS = load_configuration(DEFAULT)
@@ -498,6 +501,37 @@ for evolve, family in (
     (gf.evolve_log_kdv_burgers, "dispersive"),
 ):
     REFUSALS[keywords(evolve)] = [(without(family), f"equations.{family} is missing")]
+
+
+REFUSALS[lambda changes: Ring.read(scene_with(**changes), "mine")] = [
+    ({"law__alpha": 1}, "law.alpha is 1 | above 1"),
+    ({"law__gamma": 0}, "law.gamma is 0 | above 0"),
+    ({"start__floor": 1.5}, "start.floor is 1.5 | limit 1"),
+    ({"start__half_width": 27.5}, "half_width is 27.5 | 27.7853"),
+    ({"start": {"kind": "given", "rescaled_force": [0.0, -0.1, 0.0]}}, "-0.1"),
+    ({"start": {"kind": "given", "rescaled_force": [0.0, 1.0, 0.5]}}, "ends with 0.5"),
+    ({"equations__logarithmic__cells": 64}, "logarithmic.cells is 64 | 112"),
+    ({"equations__dispersive__cells": 64}, "dispersive.cells is 64 | 112"),
+    ({"equations__upwind__points": 64}, "upwind.points is 64 | 112"),
+    ({"equations__unlimited__tolerance": 1e-16}, "tolerance is 1e-16 | 1e-13"),
+    ({"record__snapshots": [90.5]}, "record.snapshots (entry 1) is 90.5 | end_time 90"),
+    ({"record__grid__step": 91}, "record.grid.step is 91 | end_time 90"),
+]
+REFUSALS[keywords(gf.heteroclinic)] = [
+    ({"mu": -0.1}, "mu is -0.1 | 0"),
+    ({"mu": 1.0e-300}, "mu is 1e-300 | 1e-280"),
+    ({"mu": float("nan")}, "mu is nan"),
+    ({"mu": 1.0, "s": [[0.0]]}, "s has shape (1, 1)"),
+    ({"mu": 1.0, "s": [0.0, float("nan")]}, "s holds nan"),
+    ({"mu": 1.0, "s": [0.0, 57.0]}, "mu = 1.0 | s = 56.01"),
+    ({"mu": 0.0, "s": [-57.0]}, "s = -56.77"),
+    ({"mu": 1.0e-9, "s": [-1.0e6]}, "mu = 1e-09 | 200000 | s = -35363.4"),
+]
+REFUSALS[turning_points] = [(1.0e-5, "mu = 1e-05")]
+REFUSALS[keywords(flux)] = [
+    ({"y": 0.5, "alpha": 1.0}, "alpha is 1.0 | 1"),
+    ({"y": [-0.1, 0.5], "alpha": 1.5}, "y holds -0.1"),
+]
 
 
 # Campaigns.

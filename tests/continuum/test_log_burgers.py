@@ -68,15 +68,3 @@ def test_velocity_of_a_front_agrees_with_the_first_order_velocity():
         differences.append(np.abs(first_order - of_front).max() / scaling.velocity_scale)
     assert differences[0] < 1.0e-3
     assert differences[1] == pytest.approx(differences[0] / 4.0, rel=0.2)
-
-
-def test_impossible_scales_fluxes_and_fronts_are_refused():
-    for scales, word in (((1.0, 0.24, 5.0), "alpha"), ((1.1, 0.0, 5.0), "gamma")):
-        with pytest.raises(ValueError, match=word):
-            make_slow_scales(*scales)
-    for function in (flux, log_burgers_front):
-        with pytest.raises(ValueError, match=r"alpha is 1\.0.*1"):
-            function(0.5, 1.0)
-    for limits in ((), (1.5,)):
-        with pytest.raises(ValueError, match=r"y holds -0\.1"):
-            (flux if limits else limit_flux)([-0.1, 0.5], *limits)

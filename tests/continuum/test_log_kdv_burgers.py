@@ -40,7 +40,6 @@ from granular_fronts.continuum.log_kdv_burgers.traced_orbit import (
     Accuracy,
     trace_orbit,
 )
-from granular_fronts.errors import InputError
 from granular_fronts.model.amplitude_scaling import gamma_for
 
 ACCURACY = 1.0e-13
@@ -53,8 +52,8 @@ CASES = [
     (2.0, -15),
     (np.nextafter(STIFF_DAMPING, 0.0), -12),
     (STIFF_DAMPING, -12),
-    pytest.param(1.0e-12, -12, marks=pytest.mark.slow),
-    pytest.param(50.0, -8, marks=pytest.mark.slow),
+    (1.0e-12, -12),
+    pytest.param(50.0, -8, marks=pytest.mark.slow),  # mpmath takes seconds for a stiff orbit.
 ]
 
 
@@ -97,18 +96,6 @@ def test_tail_keeps_the_relative_accuracy_of_the_logarithm(mu):
     relative = np.abs(front["log_rescaled_force"] / p + 1.0).max()
     assert relative <= 2.0 * front["log_rescaled_force"].attrs["relative_error_estimate"]
     assert 0.0 < front["rescaled_force"][-1] < 1.0e-322
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("mu", [0.3, 12.0])
-def test_reference_obeys_the_planar_system_of_the_paper(mu):
-    """(57) itself, in y and z, integrated by mpmath from y = ½ over the first turn."""
-    exact = reference(mu, -10)
-    with mp.workdps(30):
-        states = {s: (mp.exp(-p), -v * mp.exp(-p)) for s in range(6) for p, v in [exact.at(-s)]}
-        solve = mp.odefun(lambda s, x: [-x[1], x[0] * mp.log(x[0]) - mu * x[1]], 0, states[0])
-        for s in (1, 3, 5):
-            assert max(map(abs, mp.matrix(solve(s)) - mp.matrix(states[s]))) < mp.mpf(10) ** -25
 
 
 def test_undamped_orbit_is_the_gaussian():
@@ -255,30 +242,6 @@ def test_default_range_covers_both_tails_and_far_behind_the_force_is_one(mu):
         far = gf.heteroclinic(mu, [-1.0e12])
         assert far["rescaled_force"] == 1.0
         assert abs(far["slope"]) < 1.0e-250
-
-
-REFUSED = [
-    (-0.1, None, ["mu is -0.1", "0"]),
-    (1.0e-300, None, ["mu is 1e-300", "1e-280"]),
-    (math.nan, None, ["mu is nan"]),
-    (1.0, [[0.0]], ["s has shape (1, 1)"]),
-    (1.0, [0.0, math.nan], ["s holds nan"]),
-    (1.0, [0.0, 57.0], ["mu = 1.0", "s = 56.01"]),
-    (0.0, [-57.0], ["s = -56.77"]),
-    (1.0e-9, [-1.0e6], ["mu = 1e-09", "200000", "s = -35363.4"]),
-]
-
-
-@pytest.mark.parametrize(("mu", "s", "words"), REFUSED)
-def test_impossible_request_is_refused_in_a_sentence(mu, s, words):
-    with pytest.raises(InputError) as caught:
-        gf.heteroclinic(mu, s)
-    assert all(word in str(caught.value) for word in words)
-
-
-def test_turning_points_too_many_to_follow_are_refused():
-    with pytest.raises(InputError):
-        turning_points(1.0e-5)
 
 
 def test_amplitude_of_a_chain_has_the_coefficients_of_the_paper():

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 from log_kdv_reference import evolve_differences
-from rings import assert_order, scene_with, slope_and_residual
+from rings import assert_order, scene_with
 from scipy import fft
 from waves_on_rings import moved, points_of, smooth_wave
 
 import granular_fronts as gf
 from granular_fronts.continuum.log_burgers import solution as log_burgers
-from granular_fronts.continuum.log_burgers.starts import Given, Plateau
+from granular_fronts.continuum.log_burgers.starts import Plateau
 from granular_fronts.continuum.log_kdv_burgers.equation import amplitude_of_chain
 from granular_fronts.continuum.log_kdv_burgers.exponential_steps import (
     Motion,
@@ -26,13 +26,8 @@ from granular_fronts.continuum.log_kdv_burgers.fourier_waves import (
     wave_numbers,
 )
 from granular_fronts.continuum.log_kdv_burgers.solution import follow, solve
-from granular_fronts.model.amplitude_scaling import gamma_for, make_slow_scales
+from granular_fronts.model.amplitude_scaling import make_slow_scales
 from granular_fronts.scenes.ring import Ring
-from granular_fronts.studies.ring_against_equations import (
-    bead_numbers,
-    make_chain_scene,
-    start_positions,
-)
 
 CIRCLE = np.exp(2j * np.pi * (np.arange(64) + 0.5) / 64)
 
@@ -66,24 +61,6 @@ def test_rates_are_those_of_the_equation():
     rates += -1j * kappa * flux_amplitudes(equation, amplitudes, 64)
     exact = -(np.log(y) + 1.0) * first - d * third + nu * second
     np.testing.assert_allclose(values_on_points(rates, 64), exact, atol=1e-13)
-
-
-def test_values_between_points_are_the_sum_of_waves():
-    x, half_length = points_of(4.0, 50), 4.0
-    amplitudes = fft.rfft(np.exp(np.sin(np.pi * x / half_length)), norm="forward")
-    anywhere = np.linspace(-9.0, 9.0, 77)
-    exact = np.exp(np.sin(np.pi * anywhere / half_length))
-    np.testing.assert_allclose(values_at(amplitudes, half_length, anywhere), exact, atol=1e-14)
-
-
-def test_amplitudes_of_the_plateau_are_of_third_order():
-    start, half_length, points = Plateau(3.0, 1e-3), 7.0, np.array([32, 64, 128, 256])
-    exact = start_amplitudes(start, half_length, 2**15)[:17]
-    values = start.values(points_of(half_length, 2**18), half_length)
-    np.testing.assert_allclose(exact, fft.rfft(values, norm="forward")[:17], atol=2e-7)
-    errors = [np.abs(start_amplitudes(start, half_length, n)[:17] - exact).max() for n in points]
-    # How a kink lies in its cell moves the errors about the slope.
-    assert slope_and_residual(points, errors)[0] == pytest.approx(3.2, abs=0.4)
 
 
 def test_scales_of_sections_4_and_5_agree():
@@ -157,28 +134,6 @@ def test_space_is_exact_to_all_orders_where_y_is_positive():
     assert np.abs(line(points) - logarithms).max() < 0.8
 
 
-def test_kinks_of_the_plateau_leave_nothing_where_y_is_positive():
-    """With finer points at the start the rest of a kink is below the error of the steps."""
-    equation, start, x = Equation(27.78, 1.0, 0.0, 1e-9), Plateau(10.0, 1e-7), points_of(27.78, 500)
-
-    def end(cells, levels):
-        return values_at(follow(equation, start, [3.0], cells, 1e-8, levels)[0][0], 27.78, x)
-
-    exact = end(1024, 2)
-    assert np.abs(end(256, 0) - exact).max() > 1e-7
-    assert np.abs(end(256, 2) - exact).max() < 3e-8
-
-
-def test_order_is_at_least_two_where_y_changes_sign():
-    equation, start, ends = Equation(27.78, 1.0, 1.0, 1e-9), Plateau(10.0, 1e-7), []
-    x, points = points_of(27.78, 500), np.array([192, 256, 384, 512, 1536])
-    for n in points:
-        ends.append(values_at(follow(equation, start, [2.0], n, 1e-7)[0][0], 27.78, x))
-    assert ends[-1].min() < -0.01
-    errors = [np.abs(end - ends[-1]).max() for end in ends[:-1]]
-    assert_order(points[:-1], errors, 2.4, 0.4, scatter=0.1)
-
-
 # Other methods.
 
 
@@ -214,51 +169,6 @@ def test_central_differences_and_implicit_steps_agree(half_length, dispersion, e
     found, limit = values_on_points(motion.amplitudes, n), 2e-5 if changes_sign else 2e-7
     np.testing.assert_allclose(found, other, rtol=0, atol=limit)
     assert np.abs(other - start).max() > 0.3
-
-
-# The chain.
-
-
-def bump_on_ring(alpha, mu):
-    """A smooth bump on a ring of length 20 in ξ, up to τ = 1, with c = 1."""
-    scales = make_slow_scales(alpha, gamma_for(alpha, 1.0, mu=mu), 1.0)
-    half_beads, end = round(10.0 / scales.epsilon + 0.5), 1.0 / scales.slow_rate
-    force = 0.35 + 0.65 * np.exp(-((np.linspace(-4.0, 4.0, 129)) ** 2))
-    return {
-        "law": {"alpha": alpha, "gamma": scales.gamma},
-        "displacement": 1.0,
-        "half_beads": half_beads,
-        "start": {"kind": "given", "rescaled_force": tuple(force)},
-        "end_time": end,
-        "tolerance": {"relative": 1e-9, "absolute": 1e-11},
-        "equations": {"dispersive": {"cells": 256, "tolerance": 1e-6}},
-        "record": {"snapshots": [end], "grid": {"step": end}},
-    }
-
-
-def errors_of_equations(alpha, mu):
-    """Largest distance of the chain's y to that of (55), and to that of (41)."""
-    scene = Ring.read(bump_on_ring(alpha, mu))
-    scales, end, half_length = scene.scaling, scene.end_time, scene.half_length
-    xi = start_positions(scene, bead_numbers(scene))
-    start, h = Given(scene.start.rescaled_force), 1e-5
-    slope = (start.values(xi + h, half_length) - start.values(xi - h, half_length)) / (2.0 * h)
-    chain = make_chain_scene(scene)
-    y = start.values(xi, half_length)
-    chain["start"]["velocity"] = scales.corrected_velocity(y, slope, y * np.log(y))
-    found = gf.simulate_chain(chain)["relative_displacement"].values[0] ** alpha
-    moved_xi = xi - scales.epsilon * scales.frame_speed * end
-    solutions = solve(scene, [end], 256, 1e-6), log_burgers.solve(scene, 1.0, [end], 512, 1e-5)
-    return [np.abs(found - solution.rescaled_force(0, moved_xi)).max() for solution in solutions]
-
-
-@pytest.mark.parametrize("mu", [0.5, 2.0])
-def test_chain_tends_to_the_equation_as_alpha_tends_to_1(mu):
-    """At fixed μ the error is of first order in α − 1, and that of (41) stays."""
-    alphas = np.array([1.08, 1.04, 1.02, 1.01, 1.005])
-    dispersive, logarithmic = np.transpose([errors_of_equations(alpha, mu) for alpha in alphas])
-    assert_order(1.0 / (alphas - 1.0), dispersive, 1.0, 0.15, scatter=0.1)
-    assert logarithmic.min() > 10.0 * dispersive[-1]
 
 
 # Scenes.

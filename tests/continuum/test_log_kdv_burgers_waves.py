@@ -54,7 +54,7 @@ def front_defect(mu, motion, place):
     return np.abs(found - gf.heteroclinic(mu, near)["rescaled_force"].values).max()
 
 
-@pytest.mark.parametrize("mu", [0.3, 1.0, 1.9, 2.0, 2.1, 4.0])
+@pytest.mark.parametrize("mu", [0.3, 2.0, 4.0])
 def test_travelling_front_is_kept(mu):
     """In the units of section 5, where diffusion is μ and dispersion 1."""
     start = front_on_ring(mu, 160.0, 1024, -30.0, -110.0)
@@ -63,14 +63,10 @@ def test_travelling_front_is_kept(mu):
     assert front_defect(mu, motion, -29.99) > 5e-4
 
 
-LONG = [pytest.param(mu, marks=pytest.mark.slow) for mu in (0.3, 1.0)]
-
-
-@pytest.mark.parametrize("mu", [*LONG, 1.9, 2.0, 2.1, 4.0])
-def test_travelling_front_is_kept_for_long(mu):
-    start = front_on_ring(mu, 400.0, 4096, -160.0, -340.0)
-    motion = moved(start, 400.0, 1e-8, 25.0, diffusion=mu)
-    assert front_defect(mu, motion, -160.0) < 1e-9
+def test_travelling_front_is_kept_for_long():
+    start = front_on_ring(1.9, 400.0, 4096, -160.0, -340.0)
+    motion = moved(start, 400.0, 1e-8, 25.0, diffusion=1.9)
+    assert front_defect(1.9, motion, -160.0) < 1e-9
 
 
 def test_waves_of_any_height_are_alike():
