@@ -371,6 +371,8 @@ REFUSALS[section] = [
     (("laws.damping_regimes.points", 10**9), "points is 1000000000 | 100000"),
     (("laws.jump_conditions.beads", 10**9), "beads is 1000000000 | 100000"),
     ((f"{THETA}.profile.step", 1e-12), "profile.step is 1e-12 | 1e-06"),
+    ((f"{THETA}.profile.theta", 0.5), "theta is 0.5 | above 0.5"),
+    (("laws.materials.beads.cork.gamma", 0.438), "gamma is 0.438 | below 0.438"),
     ((f"{THETA}.order.steps", [0.24]), "order.steps has 1 entry | limit 3"),
     ((f"{STATES}", lattice({"kind": "toda"}, -1, -0.5, 0)), "states has 3 entries: list 2"),
     ((BEADS, {"count": 9, "mass": {"taper": {"ratio": -1}}}), "ratio is -1 | above 0"),

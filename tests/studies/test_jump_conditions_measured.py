@@ -21,7 +21,6 @@ QUANTITIES = {
     "velocity_jump": ("driven",),
     "power": ("exact", "driven"),
 }
-by_case = pytest.mark.parametrize("name", CASES)
 
 
 def law_of(name):
@@ -39,19 +38,7 @@ def exact_front(name):
     return gf.solve_front(law=law_of(name), states=states)
 
 
-@by_case
-def test_exact_front_obeys_the_jump_conditions(name):
-    """The speed is an unknown and the power an integral; neither knows of the theory."""
-    attributes, theory = exact_front(name).attrs, theory_of(name)
-    assert not attributes["reason"]
-    speed = attributes["speed"] * (1.0 + attributes["speed_defect"])
-    assert speed == pytest.approx(abs(theory.speed), rel=1e-14)
-    assert attributes["dissipated_power"] == pytest.approx(theory.dissipated_power, rel=1e-14)
-    # The change on another grid, by another order and on a longer window.
-    assert attributes["error_estimate"] < 6e-14 * abs(np.diff(CASES[name]["states"]).item())
-
-
-@by_case
+@pytest.mark.parametrize("name", CASES)
 def test_exact_front_travels_in_a_chain(name):
     speed = travelling_speed(law_of(name), exact_front(name))
     assert speed.error < 1e-12

@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from configurations import DEFAULT, refusal, set_value
+from configurations import DEFAULT
 from tabulate_materials import tabulate_materials
 
 import granular_fronts as gf
@@ -75,15 +75,3 @@ def test_regimes_follow_equation_29():
     assert np.all(np.diff(e.sel(beta=2.5)) < 0.0)
     assert np.all(np.diff(e.sel(beta=1.0)) >= 0.0)
     assert np.all(np.diff(e.sel(beta=1.25)) == 0.0)
-
-
-@pytest.mark.parametrize(
-    ("path", "value", "limit"),
-    [
-        ("laws.materials.beads.cork.gamma", 0.438, "below 0.438"),
-        ("laws.numerical_damping.profile.theta", 0.5, "above 0.5"),
-    ],
-)
-def test_impossible_parameter_is_refused(path, value, limit):
-    sentence = refusal(set_value(load_configuration(DEFAULT), path, value))
-    assert f"{path.rpartition('.')[2]} is {value}, but must be {limit}" in sentence
