@@ -1,7 +1,6 @@
-"""Campaigns through the workflow: refused, run, interrupted in every way, grown."""
+"""Campaigns through the workflow: refused, run, interrupted, grown."""
 
 import contextlib
-import csv
 import functools
 import os
 import re
@@ -12,12 +11,11 @@ import time
 
 import numpy as np
 import pandas as pd
-import psutil
 import pytest
 import yaml
 
 from granular_fronts.output.datasets import read_dataset
-from projects import copy_project, lend_kernels
+from projects import copy_project, lend_kernels, wait_for_job
 
 CAMPAIGN = {
     "kind": "chain",
@@ -38,22 +36,20 @@ def command_of(*arguments):
     return [sys.executable, "-m", "snakemake", "--cores", "1", "campaign", *map(str, arguments)]
 
 
-def run_campaign(folder, *arguments, name="mine"):
-    command = command_of(*arguments, "--config", f"campaign={name}")
+def run_campaign(folder, name, *arguments):
+    """Run the campaign of a name, or no campaign at all; its output and its error output."""
+    command = command_of(*arguments, *(["--config", f"campaign={name}"] if name else []))
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 
-def write_campaign(folder, given=CAMPAIGN, name="mine", **changes):
+def write_campaign(folder, name, given=CAMPAIGN, **changes):
     file = folder / f"config/campaigns/{name}.yaml"
     file.write_text(yaml.safe_dump({**given, **changes}, sort_keys=False))
 
 
 def jobs_of(run):
-    """Number of jobs of each rule that a run has done, or would do."""
+    """Number of jobs of each rule that a run has done."""
     assert run.returncode == 0, run.stderr
-    if "--dry-run" in run.args:
-        found = re.findall(r"^(\w+) +(\d+)$", run.stdout + run.stderr, re.MULTILINE)
-        return {name: int(count) for name, count in found}
     done = re.findall(r"^Finished jobid: \d+ \(Rule: (\w+)\)$", run.stdout + run.stderr, re.M)
     return {name: done.count(name) for name in done}
 
@@ -79,61 +75,41 @@ def project(tmp_path_factory):
 @pytest.mark.slow
 def test_what_cannot_be_computed_is_refused_before_any_job_and_a_dry_run_writes_nothing(tmp_path):
     bare = copy_project(tmp_path)
-    write_campaign(bare, axes={"gamma": [0.3, 0.2]}, fixed={**CAMPAIGN["fixed"], "delta": 1.0})
-    for arguments, words in (
-        (["--config", "campaign=mine"], "Campaign mine: gamma has 0.2 after 0.3"),
-        (["--config", "campaign=nosuch"], "There is no campaign nosuch"),
-        ([], "Name the campaign, for example: snakemake -c2 campaign --config campaign=smoke"),
+    write_campaign(bare, "mine", axes={"gamma": [0.3, 0.2]}, fixed={"alpha": 1.5, "beads": 420})
+    for name, words in (
+        ("mine", "Campaign mine: gamma has 0.2 after 0.3"),
+        ("nosuch", "There is no campaign nosuch"),
+        (None, "Name the campaign, for example: snakemake -c2 campaign --config campaign=smoke"),
     ):
-        run = subprocess.run(
-            command_of(*arguments), cwd=bare, capture_output=True, text=True, check=False
-        )
+        run = run_campaign(bare, name)
         assert run.returncode == 1
         assert words in run.stderr
         assert "Traceback" not in run.stderr
-    assert jobs_of(run_campaign(bare, "--dry-run", name="smoke"))["solve_chunk"] == 1
+    assert "solve_chunk" in run_campaign(bare, "smoke", "--dry-run").stdout
     assert not (bare / "results").exists()
-    assert not (bare / ".numba_cache").exists()
-
-
-def wait_for(condition, seconds):
-    deadline = time.monotonic() + seconds
-    while time.monotonic() < deadline:
-        if found := condition():
-            return found
-        time.sleep(0.02)
-    raise AssertionError(f"Nothing happened within {seconds} s.")
-
-
-def worker_of(process, words):
-    """The process of a running job, whose command line holds some words."""
-    with contextlib.suppress(psutil.NoSuchProcess):
-        for child in psutil.Process(process.pid).children(recursive=True):
-            with contextlib.suppress(psutil.NoSuchProcess):
-                if any(words in word for word in child.cmdline()):
-                    return child
-    return None
 
 
 def start_campaign(project, name):
-    """A running campaign of which one chunk is solved and another has begun."""
+    """A running campaign of which one chunk is solved, and the process of the next one."""
     shown = project / f"{name}.txt"
-    with shown.open("w") as opened:
+    with shown.open("w") as output:
         process = subprocess.Popen(
             command_of("--config", f"campaign={name}"),
             cwd=project,
-            stdout=opened,
+            stdout=output,
             stderr=subprocess.STDOUT,
             start_new_session=True,
             # Where the tests run in the background, interrupts are ignored, by their children too.
             preexec_fn=functools.partial(signal.signal, signal.SIGINT, signal.default_int_handler),
         )
-    wait_for(lambda: "(Rule: solve_chunk)" in shown.read_text(), 240)
-    return process, wait_for(lambda: worker_of(process, "solve_chunk.py"), 60)
+    deadline = time.monotonic() + 240.0
+    while "(Rule: solve_chunk)" not in shown.read_text():
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    return process, wait_for_job(process, "solve_chunk.py")
 
 
 INTERRUPTS = {
-    "kill_worker": lambda process, worker: worker.kill(),
     # As when the machine stops.
     "kill_all": lambda process, worker: (os.killpg(process.pid, signal.SIGKILL), worker.kill()),
     "press_ctrl_c": lambda process, worker: os.killpg(process.pid, signal.SIGINT),
@@ -143,7 +119,7 @@ INTERRUPTS = {
 @pytest.mark.slow
 @pytest.mark.parametrize("name", INTERRUPTS)
 def test_interrupted_campaign_goes_on(project, name):
-    write_campaign(project, name=name)
+    write_campaign(project, name)
     folder = project / f"results/data/campaigns/{name}"
     process, worker = start_campaign(project, name)
     INTERRUPTS[name](process, worker)
@@ -152,85 +128,49 @@ def test_interrupted_campaign_goes_on(project, name):
     assert 1 <= len(finished) <= 3, "the campaign ended before it could be interrupted"
 
     if name == "kill_all":
-        run_campaign(project, "--unlock", name=name)
-    run = run_campaign(project, name=name)
-    jobs = jobs_of(run)
-    assert jobs["solve_chunk"] == 4 - len(finished)
+        run_campaign(project, name, "--unlock")
+    assert jobs_of(run_campaign(project, name))["solve_chunk"] == 4 - len(finished)
     assert f"Campaign {name}: 400 points, 0 failed" in summary_of(project, name)
     assert finished.items() <= chunk_dates(folder).items()
-    wait_for(lambda: not worker.is_running() or worker.status() == psutil.STATUS_ZOMBIE, 60)
     assert not list(folder.glob("unfinished*"))
     assert np.isfinite(read_merged(project, name)["front_speed"]).all()
-    assert not jobs_of(run_campaign(project, "--dry-run", name=name))
-
-
-def largest_memory(benchmarks):
-    """Peak memory of any chunk in MiB, as Snakemake measured it."""
-    return max(
-        float(row["max_rss"])
-        for file in benchmarks.glob("*.tsv")
-        for row in csv.DictReader(file.read_text().splitlines(), delimiter="\t")
-    )
 
 
 @pytest.mark.slow
-def test_grown_campaign_solves_only_what_is_new(project):
-    write_campaign(project)
-    folder = project / "results/data/campaigns/mine"
-    assert jobs_of(run_campaign(project))["solve_chunk"] == 4
-    merged, solved = read_merged(project, "mine"), chunk_dates(folder)
-    assert merged.sizes["delta"] == 4
-    assert merged.sizes["gamma"] == 100
-    assert "overshoot" in summary_of(project, "mine")
-    file = project / "results/tables/campaign_mine.csv"
-    points = pd.read_csv(file, index_col=["delta", "gamma"])
-    assert points["reason"].isna().all()
-    np.testing.assert_array_equal(points["overshoot"], merged["overshoot"].values.ravel())
-    assert largest_memory(project / "results/benchmarks/solve_chunk/mine") < 1024
+def test_grown_campaign_solves_only_what_is_new_and_what_is_lost(project):
+    """Snakemake removes what a job that fails would write, not what was made of it before."""
+    folder = project / "results/data/campaigns/short"
+    write_campaign(project, "short", SHORT)
+    assert jobs_of(run_campaign(project, "short"))["solve_chunk"] == 3
+    merged, solved = read_merged(project, "short"), chunk_dates(folder)
+    table = pd.read_csv(project / "results/tables/campaign_short.csv", index_col="gamma")
+    np.testing.assert_array_equal(table["overshoot"], merged["overshoot"])
+    assert table["reason"].isna().all()
 
-    gammas = {"linspace": [0.1, 1.0, 199]}
-    write_campaign(project, axes={"delta": [0.1, 0.2, 0.3, 0.4, 0.8], "gamma": gammas})
-    run = run_campaign(project)
-    # Each of five lines is cut in two; the four old ones miss every second point.
-    assert jobs_of(run)["solve_chunk"] == 10
-    assert "Campaign mine: 995 points, 0 failed" in summary_of(project, "mine")
+    write_campaign(project, "short", SHORT, axes={"gamma": {"linspace": [0.5, 2.0, 11]}})
+    assert jobs_of(run_campaign(project, "short"))["solve_chunk"] > 0
+    assert "Campaign short: 11 points, 0 failed" in summary_of(project, "short")
     assert solved.items() <= chunk_dates(folder).items()
-    grown = read_dataset(project / "results/data/campaigns/mine.nc")
-    old = grown.sel(delta=merged["delta"], gamma=merged["gamma"])
+    old = read_merged(project, "short").sel(gamma=merged["gamma"])
     np.testing.assert_array_equal(old["overshoot"], merged["overshoot"])
 
-    write_campaign(project)
-    assert "solve_chunk" not in jobs_of(run_campaign(project))
-    assert read_merged(project, "mine").equals(merged)
-    command = [sys.executable, "-m", "snakemake", "--cores", "1", "--dry-run"]
-    run = subprocess.run(command, cwd=project, capture_output=True, text=True, check=True)
-    assert "campaign" not in run.stdout, "an ordinary run knows nothing of it"
-
-
-@pytest.mark.slow
-def test_lost_chunk_is_solved_again_beside_an_older_merged_file(project):
-    """Snakemake removes what a job that fails would write, not what was made of it before."""
-    name = "short"
-    write_campaign(project, SHORT, name)
-    folder = project / "results/data/campaigns" / name
-    assert jobs_of(run_campaign(project, name=name))["solve_chunk"] == 3
-    first, second, _ = chunk_dates(folder)
+    write_campaign(project, "short", SHORT)
+    assert "solve_chunk" not in jobs_of(run_campaign(project, "short"))
+    assert read_merged(project, "short").equals(merged)
+    first, second, _ = solved
     first.unlink()
     second.with_suffix(".json").unlink()
-    jobs = jobs_of(run_campaign(project, name=name))
-    assert jobs["solve_chunk"] == jobs["merge_campaign"] == 1
+    assert jobs_of(run_campaign(project, "short"))["solve_chunk"] == 1
 
 
 ON_A_SMALL_DISK = """
 set -e
 folder=results/data/campaigns/$1
-logs=results/logs/solve_chunk/$1
 mkdir -p "$folder"
 mount -t tmpfs -o size=100k none "$folder"
 shift
 if "$@" > first.txt 2>&1; then exit 9; fi
 ls "$folder" > between.txt
-tail -qn 1 "$logs"/*.log > sentences.txt
 mount -o remount,size=100m "$folder"
 "$@" > second.txt 2>&1
 """
@@ -243,28 +183,23 @@ def can_mount():
     return False
 
 
-@pytest.mark.slow
+# Few machines let a test mount a disk; tests/output/test_files.py has a disk that is full.
+@pytest.mark.nightly
 @pytest.mark.skipif(not can_mount(), reason="no small disk can be mounted here")
 def test_full_disk_is_named_and_the_campaign_goes_on_when_there_is_space(project):
-    name = "disk"
-    write_campaign(project, SHORT, name, record={"profile": {"start": -9, "stop": 9, "count": 999}})
+    profile = {"start": -9, "stop": 9, "count": 999}
+    write_campaign(project, "disk", SHORT, record={"profile": profile})
     unshare = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c", ON_A_SMALL_DISK]
-    command = command_of("--config", f"campaign={name}")
-    run = subprocess.run(
-        [*unshare, "sh", name, *command], cwd=project, capture_output=True, text=True, check=False
+    command = [*unshare, "sh", "disk", *command_of("--config", "campaign=disk")]
+    run = subprocess.run(command, cwd=project, capture_output=True, text=True, check=False)
+    first, second, between = (
+        (project / f"{word}.txt").read_text() for word in ("first", "second", "between")
     )
-    first, second = ((project / f"{word}.txt").read_text() for word in ("first", "second"))
     assert run.returncode == 0, run.stderr + first + second
-    sentence = (
-        f"There is no space left in results/data/campaigns/{name}: "
-        "free some and run the same command again."
-    )
-    assert sentence in first
+    assert "There is no space left in results/data/campaigns/disk: free some" in first
     assert "Traceback" not in first
-    assert sentence in (project / "sentences.txt").read_text().splitlines()
-    between = (project / "between.txt").read_text().split()
-    kept = [file for file in between if file.endswith(".nc")]
+    kept = [file for file in between.split() if file.endswith(".nc")]
     assert len(kept) < 3
-    assert not [file for file in between if file.startswith("unfinished")]
+    assert "unfinished" not in between
     assert second.count("(Rule: solve_chunk)") == 3 - len(kept)
-    assert f"Campaign {name}: 6 points, 0 failed" in summary_of(project, name)
+    assert "Campaign disk: 6 points, 0 failed" in summary_of(project, "disk")
