@@ -16,6 +16,7 @@ from rings import scene_with
 import granular_fronts as gf
 from campaigns import CHAINS, CHAINS_OF_A_LAW, PULSE, RATIOS, RINGS, TODA, campaign
 from campaigns import SCENE as MOTION
+from granular_fronts import arguments
 from granular_fronts.campaign.ring_points import make_ring
 from granular_fronts.continuum.evolution import evolve_unlimited
 from granular_fronts.continuum.log_burgers.equation import flux
@@ -77,6 +78,8 @@ REFUSALS[scene("chain", SCENE)] = [
     ({"law__gamma": -0.1}, "law.gamma is -0.1 | limit 0"),
     ({"law__gamma": ...}, "law.gamma is missing | viscous force"),
     ({"law": None}, "law is null"),
+    ({"boundary": None}, "boundary is null"),
+    ({"start": ...}, "start is missing"),
     ({"beads": 1}, "beads is 1 | pressure | take a wall"),
     ({"beads": 420.0}, "beads is 420.0"),
     ({"beads": True}, "beads is true"),
@@ -362,9 +365,15 @@ REFUSALS[section] = [
     # Entries listed twice, unknown names, what is no mapping.
     (("exact_fronts.survey.alpha", [1.1, 1.5, 1.1]), "exact_fronts.survey.alpha (entry 3) is 1.1"),
     ((RING, None), f"{RING} is null"),
+    (("results", ""), "results is empty"),
+    (("scenes.heteroclinic", ...), "scenes.heteroclinic is missing"),
+    (("scenes.chian", {}), "did you mean chain?"),
     # Names that clash, or that nothing has.
     (("scenes.front.survey", FRONT), "scenes.front.survey has the name of the study survey"),
     (("scenes.heteroclinic.weak", ORBIT), "weak has the name of scenes.heteroclinic.weak"),
+    (("scenes.chain.initiation_underdampt", {"beads": 9}), "lacks law | underdamped?"),
+    (("scenes.chain.initiation_underdampt", 3), "initiation_underdampt is 3"),
+    (("scenes.heteroclinic.damping_swep", {"mu": [1]}), "lacks profile | mean damping_sweep?"),
     # Counts and steps beyond the schema's limits.
     (("exact_fronts.survey.gamma.num", 10**9), "num is 1000000000 | limit 10000"),
     (("exact_fronts.multipliers.beads_behind", [10**6]), "(entry 1) is 1000000 | 2000"),
@@ -412,6 +421,9 @@ REFUSALS[section] = [
     ((STATES, lattice({"kind": "hertz", "alpha": 2}, 0, 1)), "cases.mine.states are 0 and 1"),
     ((STATES, lattice({"kind": "lennard_jones"}, -5, 0)), "cases.mine.states has -5 | -1 and inf"),
 ]
+
+
+REFUSALS[check_configuration] = [(None, "the file is null")]
 
 
 # Fronts.
@@ -568,6 +580,9 @@ def rates(*values, **axes):
     return {"axes": {"law.elastic.rate": [*values], "delta": [1.0], **axes}}
 
 
+SENSOR = {"start": 0, "stop": 30, "step": 0.1}
+
+
 def sensors(value):
     record = {"snapshots": [], "sensors": value}
     return {"scene": MOTION | {"record": record}}
@@ -594,6 +609,7 @@ REFUSALS[campaign_of(CHAINS)] = [
     (gammas({"linspace": [0, 1, 10**6 + 1]}), "1,000,001 points | 1,000,000 | allow_large"),
     (fixed(alpha=1.0) | gammas([1.0]), "delta is given under axes and under fixed"),
     ({"fixed": {"alpha": 1.0, "beads": 30}}, "alpha is 1.0, but must be above 1"),
+    ({"fixed": {"alpha": 1.5, "beads": 19}}, "beads is 19 | limit 20"),
     ({"fixed": {"alpha": 1.5, "beads": 30.5}}, "beads is 30.5 | a whole number"),
     ({"fixed": {"alpha": 1.5, "beads": 10**9}}, "beads is 1000000000 | 477 GiB"),
     ({"fixed": {"alpha": 1.5}}, "beads is missing | number of beads N"),
@@ -641,6 +657,7 @@ REFUSALS[campaign_of(RATIOS)] = [
     ({"fixed": {"beads": 30}}, "fixed is given, but kind motion has none"),
     (sensors({}), "sensors has 0 entries"),
     (sensors({"a": 3}), "record.sensors.a is 3"),
+    (sensors({"a": SENSOR | {"beads": [1]}}), "sensors has 1 entries, but must have one, with"),
     ({"scene": ...}, "scene is missing, but kind motion needs one"),
 ]
 
@@ -662,6 +679,20 @@ REFUSALS[ring_of] = [
     ({"alpha": 9.0, "delta": 1e300}, "A scale of this ring lies beyond double precision"),
     ({"alpha": 9.0, "delta": 1e-300}, "A scale of this ring lies beyond double precision"),
     ({"start": LOW}, "rescaled_force passes through"),
+]
+
+
+# Kinds of arguments.
+
+REFUSALS[lambda check: check()] = [
+    (lambda: arguments.scalar("x", 2.5, above=1, most=2), "x is 2.5, | above 1 and at most 2"),
+    (lambda: arguments.scalar("x", np.ones((3, 1))), "x is an array of shape (3, 1)"),
+    (lambda: arguments.scalar("x", 1.0, above=1.0), "x is 1.0, | above 1"),
+    (lambda: arguments.scalar("x", 1.0, below=1.0), "x is 1.0, | below 1"),
+    (lambda: arguments.count("n", 1.5), "n is 1.5, | whole number, at least 1"),
+    (lambda: arguments.array("s", [[1.0, 3.0]], below=3.0), "s holds 3.0 | below 3"),
+    (lambda: arguments.choice("way", "c", ("a", "b")), "way is 'c' | a, b"),
+    (lambda: arguments.instance("it", "x", Path, "give one"), "it is 'x' | a Path: give one."),
 ]
 
 

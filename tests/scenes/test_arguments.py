@@ -12,8 +12,6 @@ import numpy as np
 import pytest
 import xarray as xr
 from chains import driven_scene
-from configurations import assert_refused
-from matplotlib.axes import Axes
 from potentials import hertz
 
 import granular_fronts as gf
@@ -234,39 +232,13 @@ def test_possible_arguments_pass(name):
     assert getattr(gf, name)(**POSSIBLE[name]) is not None
 
 
-@pytest.mark.parametrize(
-    "value", [2, 2.0, np.float32(2.0), np.int64(2), np.array(2.0), xr.DataArray(2.0), Fraction(2)]
-)
-def test_every_kind_of_real_number_is_a_number(value):
-    found = arguments.scalar("x", value, above=1.0, most=2.0)
-    assert (found, type(found)) == (2.0, float)
-    found = arguments.count("n", value, least=2, most=2)
-    assert (found, type(found)) == (2, int)
-
-
-@pytest.mark.parametrize(
-    ("check", "words"),
-    [
-        (
-            lambda: arguments.scalar("x", 2.5, above=1.0, most=2.0),
-            "x is 2.5, | above 1 and at most 2",
-        ),
-        (lambda: arguments.scalar("x", np.ones((3, 1))), "x is an array of shape (3, 1)"),
-        (lambda: arguments.scalar("x", 1.0, above=1.0), "x is 1.0, | above 1"),
-        (lambda: arguments.scalar("x", 1.0, below=1.0), "x is 1.0, | below 1"),
-        (lambda: arguments.count("n", 1.5), "n is 1.5, | whole number, at least 1"),
-        (
-            lambda: arguments.array("s", [[1.0, 3.0], [4.0, 5.0]], below=3.0),
-            "s holds 3.0 | below 3",
-        ),
-        (lambda: arguments.choice("way", "c", ("a", "b")), "way is 'c' | a, b"),
-        (lambda: arguments.instance("it", "x", Axes, "give one"), "it is 'x' | an Axes: give one."),
-    ],
-)
-def test_a_refusal_names_argument_value_and_limits(check, words):
-    with pytest.raises(InputError) as caught:
-        check()
-    assert_refused(str(caught.value), words)
+def test_every_kind_of_real_number_is_a_number():
+    two = [2, 2.0, np.float32(2.0), np.int64(2), np.array(2.0), xr.DataArray(2.0), Fraction(2)]
+    for value in two:
+        found = arguments.scalar("x", value, above=1.0, most=2.0)
+        assert (found, type(found)) == (2.0, float)
+        found = arguments.count("n", value, least=2, most=2)
+        assert (found, type(found)) == (2, int)
 
 
 def test_arrays_keep_their_shape_and_lists_have_one_dimension():

@@ -121,7 +121,3 @@ def test_command_line_says_where_a_file_is_wrong_and_what_mappings_need(tmp_path
         assert run.returncode == 1
         assert words in run.stderr
         assert "Traceback" not in run.stderr
-    for option, code in (("--help", 0), (None, 2)):
-        run = run_python("granular_fronts.scenes", *filter(None, [option]))
-        assert run.returncode == code
-        assert "usage: python -m granular_fronts.scenes [-h]" in run.stdout + run.stderr
