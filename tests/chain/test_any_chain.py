@@ -26,6 +26,7 @@ MASSES = [
     {},
     {"cell": [0.7, 0.3]},
     {"cell": [1.0, 2.0], "impurity": {"bead": 2, "mass": 0.05}},
+    {"cell": [1.0], "impurity": {"bead": 2, "mass": 0.4}},
 ]
 FACTORS = [
     {},

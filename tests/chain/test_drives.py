@@ -37,7 +37,7 @@ def scene_of(key, drive, gamma=0.3, right=0.0, beads=12, end_time=12.0, **change
 def test_a_drive_is_its_function_and_its_integral(name):
     given_drive, function, breaks = DRIVES[name]
     boundary = Force(kind="force", force=given_drive)
-    drive, times = make_drive(boundary.pieces()), np.linspace(0.0, 10.0, 73)
+    drive, times = make_drive(boundary.pieces()), np.append(np.linspace(0.0, 10.0, 73), breaks)
     exact = [function(t) for t in times]
     np.testing.assert_allclose(drive.value(times), exact, rtol=0, atol=1e-16)
     integral = quad(function, 0.0, 10.0, points=breaks or None, limit=200)[0]
