@@ -22,7 +22,7 @@ from granular_fronts.continuum.evolution import evolve_unlimited
 from granular_fronts.continuum.log_burgers.equation import flux
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import turning_points
 from granular_fronts.errors import InputError
-from granular_fronts.model.scaling import Scaling
+from granular_fronts.model import scaling
 from granular_fronts.scenes import memory
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.configuration import SCENES, check_configuration
@@ -236,7 +236,7 @@ REFUSALS[chain_of] += [
     (masses(taper={"difference": -0.25}), "difference is -0.25 | -0.25"),
     (masses(random={"spread": 1.5, "seed": 1}), "spread is 1.5 | 1"),
     (masses(cell=[1.0e6], random={"spread": 0.5, "seed": 1}), "beads.mass comes to 1e±6 | 1e±6"),
-    (masses(list=[1.0e-4] * 5, taper={"ratio": 0.2}), "beads.mass comes to 1e±7"),
+    (masses(list=[1.0e-3] * 5, taper={"ratio": 0.1}), "beads.mass comes to 1e±7"),
     (masses(impurity={"bead": 1, "mass": 1.0e-7}), "beads.mass comes to 1e±7"),
     (THIRTEEN | {"contacts": {"elastic": {"cell": [1, 2]}}}, "13 | 12"),
     (THIRTEEN | {"contacts": {"viscous": {"taper": {"ratio": 0.9}}}}, "viscous.taper is given"),
@@ -491,7 +491,29 @@ REFUSALS[keywords(gf.critical_damping)] = [
 REFUSALS[keywords(gf.restitution)] = [
     ({"gamma": 1e308, "alpha": 1.5, "beta": 1.0}, "collision lies beyond double")
 ]
-REFUSALS[keywords(Scaling)] = [
+SPHERE = {"radius": 0.01, "youngs_modulus": 1.0e9, "poisson_ratio": 0.3}
+BEAD = {"mass": 0.1, "stiffness": 1.0e9}
+REFUSALS[keywords(gf.damping_for_restitution)] = [
+    ({"e": 0.0}, "e is 0.0 | above 0 and at most 1"),
+    ({"e": 1.0001}, "e is 1.0001 | above 0 and at most 1"),
+]
+REFUSALS[keywords(scaling.sphere_stiffness)] = [
+    (SPHERE | {"youngs_modulus": -1.0}, "modulus is -1.0 | above 0"),
+    (SPHERE | {"poisson_ratio": 0.5}, "poisson_ratio is 0.5 | solid"),
+    (SPHERE | {"poisson_ratio": -1.0}, "poisson_ratio is -1.0 | solid"),
+]
+REFUSALS[keywords(scaling.sphere_mass)] = [
+    ({"radius": 0.01, "density": float("nan")}, "density is nan")
+]
+REFUSALS[keywords(scaling.velocity_of_compression)] = [(BEAD | {"delta": -1e-6}, "delta is -1e-06")]
+REFUSALS[keywords(scaling.velocity_of_force)] = [(BEAD | {"force": 0.0}, "force is 0.0")]
+REFUSALS[keywords(scaling.damping_from_restitution)] = [
+    (BEAD | {"e": 1.2, "impact_velocity": 0.5}, "e is 1.2 | restitution")
+]
+REFUSALS[lambda unit: scaling.Scaling(damping=0.0, velocity=1.0, **BEAD).to_physical(1.0, unit)] = [
+    ("mass", "quantity is 'mass'")
+]
+REFUSALS[keywords(scaling.Scaling)] = [
     (
         {"mass": 1e300, "stiffness": 1e-300, "damping": 0.0, "velocity": 1e-300},
         "A scale of this chain lies beyond double",

@@ -85,19 +85,14 @@ def test_kink_in_the_middle_is_not_overlooked_and_spinodal_states_have_no_sound(
     assert front.speed == pytest.approx(math.sqrt(0.5), rel=1e-15)
 
 
-def test_third_derivative_is_not_needed_for_states_far_apart():
+def test_neither_the_third_derivative_nor_the_dissipation_decides():
     exact = toda()
     bare = gf.Potential(exact.value, exact.first, exact.second, interval=(-2.0, 1.0))
     front, without = (jump_conditions(potential, -1.0, 0.0) for potential in (exact, bare))
     assert without.speed == front.speed
     assert without.energy_per_bead == pytest.approx(front.energy_per_bead, rel=1e-14)
-
-
-def test_speed_does_not_depend_on_the_dissipation():
-    elastic = hertz(1.5)
-    free = jump_conditions(elastic, -0.1, 0.0)
-    for beta in (1.0, 1.25, 1.5, 2.5):
-        assert jump_conditions(elastic, -0.1, 0.0, dissipation=hertz(beta, 0.3)) == free
+    for beta in (1.0, 1.5, 2.5):
+        assert jump_conditions(exact, -1.0, 0.0, dissipation=hertz(beta, 0.3)) == front
 
 
 @pytest.mark.parametrize(
@@ -148,18 +143,14 @@ def test_nan_between_the_states_is_named():
 
 def test_states_lie_where_the_viscous_potential_holds():
     narrow = gf.Potential(
-        lambda r: r**2,
-        lambda r: 2.0 * r,
-        np.vectorize(lambda r: 2.0),
-        interval=(-0.5, 0.5),
-        name="W",
+        np.square, lambda r: 2.0 * r, lambda r: 2.0 + 0.0 * r, interval=(-0.5, 0.5), name="W"
     )
     law = gf.make_law(elastic={"kind": "toda"}, viscous=narrow)
     assert gf.jump_conditions(law, -0.4, 0.0).direction == 1
-    for refused in (
+    for ask in (
         lambda: gf.jump_conditions(law, -1.0, 0.0),
         lambda: gf.jump_conditions(law.elastic, -1.0, 0.0, dissipation=narrow),
         lambda: gf.solve_front(law=law, states=(-1.0, 0.0)),
     ):
         with pytest.raises(ValueError, match=r"is -1\.0, but .*W is defined from -0.5 to 0.5"):
-            refused()
+            ask()

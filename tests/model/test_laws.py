@@ -75,14 +75,10 @@ def test_damping_is_changed_by_a_factor():
 
 
 def test_law_joins_domains_and_kinks():
-    law = make_law(
-        elastic={"kind": "lennard_jones"}, viscous={"kind": "power", "beta": 1.0, "gamma": 0.1}
-    )
-    assert law.domain == (-1.0, np.inf)
-    assert law.kinks == (0.0,)
-    mine = make_law(elastic={"kind": "lennard_jones"}, viscous=COSH)
-    assert mine.domain == (-1.0, 3.0)
-    assert mine.kinks == ()
+    power = {"kind": "power", "beta": 1.0, "gamma": 0.1}
+    for viscous, domain, kinks in ((power, (-1.0, np.inf), (0.0,)), (COSH, (-1.0, 3.0), ())):
+        law = make_law(elastic={"kind": "lennard_jones"}, viscous=viscous)
+        assert (law.domain, law.kinks) == (domain, kinks)
 
 
 def test_a_users_law_says_that_a_file_cannot_hold_it():
@@ -102,17 +98,9 @@ def test_a_users_law_says_that_a_file_cannot_hold_it():
         ({"alpha": 1.5, "gamma": -0.1}, "gamma is -0.1, but must be a finite number, at least 0"),
         ({"elastic": "toda"}, "elastic is 'toda', but must be a Mapping: give a mapping"),
         ({"elastic": {"kind": "tode"}}, "'tode' is no kind of elastic potential: did you mean"),
-        ({"elastic": {"kind": "toda", "rat": 1}}, "'rat' is no parameter of toda: did you mean"),
         ({"elastic": TODA, "viscous": {"kind": "dashpot"}}, "no kind of viscous potential"),
         ({"elastic": TODA, "viscous": {"kind": "proportional"}}, "proportional has no gamma"),
-        (
-            {"elastic": TODA, "viscous": {"kind": "none", "gamma": 1.0}},
-            "'gamma' is no parameter of none",
-        ),
-        (
-            {"elastic": TODA, "viscous": {"kind": "proportional", "gamma": -1.0}},
-            "gamma is -1.0, but must be a finite number, at least 0",
-        ),
+        ({"elastic": TODA, "viscous": {"kind": "none", "gamma": 1}}, "no parameter of none"),
         (
             {"elastic": TODA, "viscous": {"kind": "simon_hunt_crossley", "gamma": 1.0}},
             "belongs to the elastic kind hertz, but the elastic one is Toda potential",
