@@ -43,7 +43,7 @@ def test_motion_is_that_of_the_package_within_its_own_error(page, how, beta):
 
 
 def test_another_damping_acts_at_once_and_the_motion_goes_on(page):
-    page.evaluate(MOVE.format("gamma", 0.06) + "; find('press').click()")
+    page.evaluate(MOVE.format("count", 120) + "; find('press').click()")
     page.wait_for("chain.time > 5")
     turned = page.evaluate(MOVE.format("gamma", 0.4))
     page.wait_for(f"chain.time > {turned + 5}")
