@@ -87,7 +87,7 @@ def test_predicted_velocities_of_lammps_are_of_second_order():
     u = exact(Chain(1.5, 1.5, 0.3, left=0.1), end=60.0, beads=20)
     made, steps = runpy.run_path(str(SCRIPT)), np.array([0.2, 0.1, 0.05])
     scene = made["scene_of"](1.5, 0.3, 0.1, 0.0)
-    runs = [made["final_state"](scene, step, LAMMPS, "mvv")[0] for step in steps]
+    runs = [made["final_state"](scene, step, LAMMPS, "mvv")[0] for step in steps.tolist()]
     assert_order(1.0 / steps, [np.abs(-np.diff(x) - u).max() for x in runs], 2.0, 0.15, 0.043)
 
 

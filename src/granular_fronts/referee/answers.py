@@ -32,7 +32,7 @@ def solve(problem):
     (factor,), dampings over γ; `value` and `value_error` are on (quantity,).
     """
     motion = simulate.simulate_chain(problem.scene, problem.name)
-    t, u, v = states(motion)
+    t, u, v = states(problem, motion)
     readings, refined = np.transpose([_read_at(problem, factor) for factor in problem.factors])
     names, values, errors = zip(*_quantities(problem, motion), strict=True)
     field = {
@@ -60,9 +60,10 @@ def solve(problem):
     )
 
 
-def states(motion):
+def states(problem, motion):
     """Return the times, relative displacements and velocities of all states."""
-    u = motion["relative_displacement_grid"].values[:, :-1]
+    u = motion["relative_displacement_grid"].values
+    u = u if problem.wall else u[:, :-1]
     return motion["t_grid"].values, u, motion["velocity_grid"].values
 
 
@@ -71,7 +72,7 @@ def _read_at(problem, factor):
     law = problem.scene.law.with_damping(factor)
     scene = Chain.read(problem.scene.plain() | {"law": law}, problem.name)
     motions = refined_by(partial(simulate.refine, scene), simulate.solve(scene))
-    return motions.map(lambda motion: read_motion(problem, *states(motion.dataset)))
+    return motions.map(lambda motion: read_motion(problem, *states(problem, motion.dataset)))
 
 
 def _quantities(problem, motion):
@@ -125,7 +126,7 @@ def states_of(answer):
         {
             "t": float(state["t"]),
             "bead": state["bead"].values,
-            "u": [*state["relative_displacement"].values, 0.0],
+            "u": np.append(state["relative_displacement"], 0.0)[: state.sizes["bead"]],
             "v": state["velocity"].values,
             "error": f"{error:.1e}",
         }

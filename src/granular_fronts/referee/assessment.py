@@ -41,10 +41,10 @@ def find(problem, answer, result):
     """Compare a result with the answer; an InputError names beads, times or a start that differ."""
     rows = _matching_rows(problem, answer, result)
     x, v = result.x[rows], result.v[rows]
-    _check_start(problem, result.step, -np.diff(x[0]), v[0])
+    _check_start(problem, result.step, x[0], v[0])
 
     def judge(x, v):
-        u = -np.diff(x, axis=1)
+        u = problem.relative_displacements(x)
         return largest_error(problem, answer, u, v), read_motion(problem, answer["t"].values, u, v)
 
     # The file stands for all states that differ from its own by its rounding: some are tried.
@@ -92,22 +92,22 @@ def _matching_rows(problem, answer, result):
     return rows
 
 
-def _check_start(problem, step, u, v):
-    """Check that a motion starts as the problem: beads touch and have its velocities."""
+def _check_start(problem, step, x, v):
+    """Check that a motion starts where and as fast as the problem."""
     # Codes that keep velocities of half steps start with a velocity half a step before or after.
     name = f"{problem.name} with step {step:g} does not start as the problem"
-    farthest = float(np.abs(u).max())
+    off, late = (found - expected for found, expected in zip((x, v), problem.start, strict=True))
+    farthest = float(np.abs(problem.relative_displacements(off)).max())
     if farthest > SAME_START * problem.displacement:
         raise InputError(
-            f"{name}: at t = 0 beads are {farthest:.3g} from where they just touch; give x as "
-            "displacement from there, or as position in diameters."
+            f"{name}: at t = 0 beads are {farthest:.3g} from where they should be; give x as "
+            "displacement from where they just touch, or as position in diameters."
         )
-    off = float(np.abs(v - problem.scene.start.velocity).max())
-    pressure = problem.displacement**ALPHA
-    if off > 0.5 * step * pressure + SAME_START * problem.front_velocity:
+    late = float(np.abs(late).max())
+    if late > 0.5 * step * problem.displacement**ALPHA + SAME_START * problem.front_velocity:
         raise InputError(
-            f"{name}: at t = 0 a velocity is {off:.3g} off; in the problem bead 1 has "
-            f"{problem.scene.start.velocity[0]:.6g} and the others rest."
+            f"{name}: at t = 0 a velocity is {late:.3g} off; in the problem bead 1 has "
+            f"{problem.start[1][0]:.6g} and the others rest."
         )
 
 

@@ -108,7 +108,7 @@ def _beside_schemes(problem, answer, results):
         motions = [move(problem, result.step, name) for result in results]
         findings = [find(problem, answer, motion) for motion in motions]
         order = f"order {observed_order(findings)}, " if len(findings) > 1 else ""
-        apart = find(problem, with_states_of(motions[-1], answer), results[-1]).error
+        apart = find(problem, with_states_of(problem, motions[-1], answer), results[-1]).error
         yield f"    {name}: {order}{apart:.1e} from the result at step {results[-1].step:g}."
 
 

@@ -18,12 +18,12 @@ def draw(problem, answer, results, findings):
 
 
 def _draw_motion(axes, problem, answer, results):
-    contact = problem.scene.beads.count // 2
+    contact = max(1, problem.scene.beads.count // 2)
     u = answer["relative_displacement"].sel(contact=contact)
     axes.plot(answer["t"], u, "-", color=EQUATION_COLOUR, label="accurate")
     colours = colormaps["plasma"](np.linspace(0.85, 0.0, len(results)))
     for colour, result in zip(colours, results, strict=True):
-        found = result.x[:, contact - 1] - result.x[:, contact]
+        found = problem.relative_displacements(result.x)[:, contact - 1]
         axes.plot(result.t, found, ".", color=colour, markersize=2, label=f"$h = {result.step:g}$")
     moving = answer["t"].values[np.abs(u.values) > START * float(abs(u).max())]
     axes.set(xlabel="$t$", ylabel=f"$u_{{{contact}}}$", xlim=(moving[0], moving[-1]))

@@ -10,7 +10,7 @@ from granular_fronts.errors import InputError
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.output.files import complete_file
 from granular_fronts.referee.answers import solve, states_of, table_of
-from granular_fronts.referee.lammps_deck import write_deck
+from granular_fronts.referee.decks import RUN_BY, write_decks
 from granular_fronts.referee.problems import described, in_words
 from granular_fronts.referee.tolerances import measure_tolerance
 from granular_fronts.reference_methods.half_step import SCHEMES
@@ -32,11 +32,12 @@ def write_case(problem, folder):
     """Solve a problem, write all about it into a folder, and return the answer."""
     answer = solve(problem)
     write_dataset(answer, folder / "answer.nc", scene_id=problem.name, config=problem.plain())
-    deck = write_deck(problem.name, problem.title, problem.scene, problem.interval)
-    _write_text(folder / "lammps.in", deck)
+    decks = write_decks(problem)
+    for name, deck in decks.items():
+        _write_text(folder / name, deck)
     _write_text(folder / "problem.txt", in_words(problem))
-    case = yaml.safe_dump(described(problem), sort_keys=False, allow_unicode=True, width=100)
-    _write_text(folder / "case.yaml", case)
+    case = described(problem) | {"decks": {name: RUN_BY[name] for name in decks}}
+    _write_text(folder / "case.yaml", yaml.safe_dump(case, sort_keys=False))
     _write_text(folder / "states.csv", states_of(answer))
     _write_text(folder / "tolerances.csv", _tolerances(problem, answer))
     return answer

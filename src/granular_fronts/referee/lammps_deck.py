@@ -46,14 +46,14 @@ create_box 1 room
 set group all diameter 1.0
 set group all mass 1.0
 {velocities}variable law string &
-  "hertz 2.0 {coefficient!r} damping {damping} tangential linear_nohistory 0 0"
+  "hertz {stiffness!r} {coefficient!r} damping {damping} tangential linear_nohistory 0 0"
 if "${{integrator}} == mvv" then &
   "pair_style hybrid/overlay granular dpd 0.0 0.001 1" "pair_coeff * * dpd 0 0 0.001" &
   "pair_coeff * * granular ${{law}}" "fix motion all mvv/dpd 1.0" &
 else "pair_style granular" "pair_coeff * * ${{law}}" "fix motion all nve"
 neighbor 0.3 bin
 neigh_modify every 1 delay 0 check yes
-{push}timestep ${{step}}
+{wall}{push}timestep ${{step}}
 dump out all custom ${{every}} {name}_${{step}}.dump id x vx
 dump_modify out sort id time yes format float %.17g
 run ${{steps}}
@@ -64,37 +64,59 @@ def write_deck(name, title, scene, interval):
     """Return the input file of a chain.
 
     The scene has α = 3/2, β of 3/2, 5/4 or 1, a free right end, and beads that just touch at t = 0.
-    `name` begins the name of the file that LAMMPS writes, `interval` lies between two states in it.
+    A single bead may have a gap, a weight and a wall.  `name` begins the name of the file that
+    LAMMPS writes, `interval` lies between two states in it.
     An InputError says that LAMMPS has no such law.
     """
     beads, velocities = scene.beads.count, _start_velocities(scene)
-    pressure = scene.boundary.left_end**scene.law.alpha
-    damping, coefficient = damping_model(scene.law)
-    atoms = "\n".join(f"create_atoms 1 single {n * DIAMETER!r} 0 0" for n in range(beads))
+    push, (low, high) = force_on_first(scene), room(scene)
+    damping, coefficient = damping_model(scene)
+    wall = f"fix plate all wall/gran granular ${{law}} xplane NULL {beads - 0.5!r}\n"
     moving = [(n, v) for n, v in enumerate(velocities, 1) if v]
     return DECK.format(
         title=title,
         name=name,
         interval=float(interval),
         end_time=scene.end_time,
-        low=-MARGIN,
-        high=beads * DIAMETER + MARGIN + _farthest(scene),
-        atoms=atoms,
+        low=low,
+        high=high,
+        atoms=atoms_of(scene),
+        stiffness=effective(scene)[0] ** -0.5,
         velocities="".join(f"set atom {n} vx {v!r}\n" for n, v in moving),
         coefficient=coefficient,
         damping=damping,
-        push=f"group first id 1\nfix push first addforce {pressure!r} 0 0\n" if pressure else "",
+        wall=wall if scene.boundary.kind == "wall" else "",
+        push=f"group first id 1\nfix push first addforce {push!r} 0 0\n" if push else "",
     )
 
 
-def damping_model(law):
+def atoms_of(scene, units=""):
+    """Return the commands that create the beads, as LIGGGHTS takes them too."""
+    gap = -sum(getattr(scene.start, "relative_displacement", ()))
+    places = (n * DIAMETER - gap for n in range(scene.beads.count))
+    return "\n".join(f"create_atoms 1 single {place!r} 0 0{units}" for place in places)
+
+
+def force_on_first(scene):
+    """Return the constant force on bead 1: the pressure, or the weight of a single bead."""
+    return scene.boundary.left_end**scene.law.alpha + scene.gravity
+
+
+def effective(scene):
+    """Return R_eff and m_eff of a contact: of two beads, or of one with a wall."""
+    radius, mass = 0.5 * DIAMETER, 1.0
+    return (radius, mass) if scene.boundary.kind == "wall" else (0.5 * radius, 0.5 * mass)
+
+
+def damping_model(scene):
     """Return LAMMPS's name and coefficient of a viscous force; an InputError if it has no name."""
-    alpha, beta, gamma = law.alpha, law.beta, law.gamma
+    alpha, beta, gamma = scene.law.alpha, scene.law.beta, scene.law.gamma
+    radius, mass = effective(scene)
     if alpha == 1.5 and beta == 1.5:
-        return "viscoelastic", 6.0 * gamma
+        return "viscoelastic", 1.5 * gamma / (mass * math.sqrt(radius))
     if alpha == 1.5 and beta == 1.0:
         return "velocity", gamma
-    ratio = 1.25 * math.sqrt(0.4) * gamma
+    ratio = 1.25 * gamma / math.sqrt(5.0 * mass)
     if alpha == 1.5 and beta == 1.25 and ratio < 1.0:
         return "coeff_restitution", math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))
     raise InputError(
@@ -107,7 +129,8 @@ def _start_velocities(scene):
     return scene.start.velocity if isinstance(scene.start, Given) else ()
 
 
-def _farthest(scene):
-    """Return a bound of a bead's path, at thrice the velocity of a front or of the start."""
+def room(scene):
+    """Return the ends of a box, by thrice the velocity of a front or of the start."""
     of_front = scene.boundary.left_end ** (0.5 * (scene.law.alpha + 1.0))
-    return 3.0 * max(of_front, *map(abs, _start_velocities(scene)), 0.0) * scene.end_time
+    farthest = 3.0 * max(of_front, *map(abs, _start_velocities(scene)), 0.0) * scene.end_time
+    return -MARGIN, scene.beads.count * DIAMETER + MARGIN + farthest

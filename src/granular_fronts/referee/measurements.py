@@ -5,6 +5,8 @@ front          overshoot: first peak of u between states, over δ, in the middle
 contact_loss   velocity of the last bead at the end, over δ^(5/4)
 striker        peak of u between states in the middle of the chain, over δ
 collision      velocity at which the beads part, over their impact velocity: restitution
+plate          velocity at which the bead leaves the plate, over its impact velocity: the same
+drop           velocity of the bead at the end, upward, over that of its impact
 solitary_wave  speed of the pulse over the sixth root of its largest force, in the middle
 =============  ================================================================================
 
@@ -29,6 +31,8 @@ NAMES = {
     "contact_loss": "velocity of the last bead",
     "striker": "peak between states in the middle",
     "collision": "coefficient of restitution",
+    "plate": "coefficient of restitution",
+    "drop": "velocity at the end",
     "solitary_wave": "speed over the sixth root of the force",
 }
 
@@ -46,6 +50,8 @@ def read_motion(problem, t, u, v):
         return _speed_over_force(t, u, v, problem.scene.beads.count // 2)
     if problem.motion == "contact_loss":
         found = float(v[-1, -1])
+    elif problem.wall:
+        found = -float(v[-1, 0])
     elif problem.motion == "collision":
         found = float(v[-1, 1] - v[-1, 0])
     else:

@@ -12,10 +12,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 from pydantic import Field
 
 from granular_fronts.model.scaling import Scaling
-from granular_fronts.referee.lammps_deck import damping_model
+from granular_fronts.referee.lammps_deck import damping_model, force_on_first
 from granular_fronts.referee.settings import Kind, Settings, read_settings
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.parts import Part, Several
@@ -24,18 +25,24 @@ from granular_fronts.scenes.sentences import read_part
 ALPHA = 1.5
 
 PRESSED = "a constant force of {force!r} pushes bead 1 towards bead 2 from t = 0 on"
-STRUCK = "bead 1 has the velocity {velocity!r} towards bead 2"
+STRUCK = "bead 1 has the velocity {velocity!r} towards its neighbour"
+FALLING = "a constant force of {force!r}, its weight, pulls the bead towards the plate"
 MOTIONS = {"front": PRESSED, "contact_loss": PRESSED, "striker": STRUCK, "collision": STRUCK}
-MOTIONS |= {"solitary_wave": STRUCK}
+MOTIONS |= {"solitary_wave": STRUCK, "plate": STRUCK, "drop": FALLING}
+FALL = 10.0
+"""Time after which a drop reaches the plate, with the velocity of a striker."""
+
+CHAIN = "{beads} equal beads of mass 1 lie in a row, just touch, and are", "both ends are free"
+PLATE = "A bead of mass 1 is {gap!r} away from a rigid plate and", "the plate does not move"
 
 WORDS = """\
 {title}
 
-{beads} equal beads of mass 1 lie in a row, just touch, and are at rest at t = 0; but
+{place} at rest at t = 0; but
 {moved}.
-No other force acts, both ends are free, and nothing rotates.
+No other force acts, {ends}, and nothing rotates.
 
-Two neighbours that overlap by u > 0 repel each other with the force
+Two neighbours, a plate among them, that overlap by u > 0 repel each other with the force
     u^(3/2) + {gamma!r} * {beta:g} * u^({less:g}) * du/dt.
 It is not cut off if it becomes attractive just before they part. It is zero without overlap.
 
@@ -74,6 +81,27 @@ class Problem(Part):
     def front_velocity(self) -> float:
         """Velocity δ^((α + 1)/2) of the beads behind a front, and of a bead that strikes."""
         return self.displacement ** (0.5 * (ALPHA + 1.0))
+
+    @property
+    def wall(self) -> bool:
+        """Whether the last bead hits a plate."""
+        return self.scene.boundary.kind == "wall"
+
+    @property
+    def force(self) -> float:
+        """Constant force on bead 1: the pressure, or the weight of a single bead."""
+        return force_on_first(self.scene)
+
+    @property
+    def start(self) -> tuple[np.ndarray, np.ndarray]:
+        """Displacements at t = 0 from where the beads just touch, and velocities."""
+        start = self.scene.start
+        u = np.array([*start.relative_displacement, 0.0][: self.scene.beads.count])
+        return np.cumsum(u[::-1])[::-1], np.array(start.velocity)
+
+    def relative_displacements(self, x: np.ndarray) -> np.ndarray:
+        """Return u of all contacts, that with a plate the last, on the last axis as x."""
+        return -np.diff(x, append=0.0) if self.wall else -np.diff(x)
 
     @property
     def collision_time(self) -> float:
@@ -115,38 +143,42 @@ def load_problems(settings: Mapping[str, Any] | Settings | None = None) -> dict[
 
 def _scene_of(name: str, motion: Kind, beta: float, damping: str, settings: Settings) -> Chain:
     """Return the chain of one problem, whose law LAMMPS has."""
-    delta, chain = settings.displacement, settings.motions[motion]
-    pressed = MOTIONS[motion] == PRESSED
+    delta, beads = settings.displacement, settings.motions[motion].beads
+    pressed, at_plate = MOTIONS[motion] == PRESSED, motion in ("plate", "drop")
     gamma = settings.dampings[damping] * delta ** (0.5 * (ALPHA + 1.0) - beta)
-    velocity = 0.0 if pressed else delta ** (0.5 * (ALPHA + 1.0))
+    velocity = delta ** (0.5 * (ALPHA + 1.0))
+    struck = velocity if MOTIONS[motion] == STRUCK else 0.0
+    gap = 0.5 * FALL * velocity if motion == "drop" else 0.0
+    chain = {"kind": "pressure", "left": delta if pressed else 0.0, "right": 0.0}
     scene = {
         "law": {"alpha": ALPHA, "beta": beta, "gamma": gamma},
-        "beads": chain.beads,
-        "boundary": {"kind": "pressure", "left": delta if pressed else 0.0, "right": 0.0},
+        "beads": beads,
+        "boundary": {"kind": "wall"} if at_plate else chain,
+        "gravity": velocity / FALL if motion == "drop" else 0.0,
         "start": {
             "kind": "given",
-            "relative_displacement": [0.0] * (chain.beads - 1),
-            "velocity": [velocity, *[0.0] * (chain.beads - 1)],
+            "relative_displacement": [-gap] if at_plate else [0.0] * (beads - 1),
+            "velocity": [struck, *[0.0] * (beads - 1)],
         },
-        "end_time": chain.end_time,
+        "end_time": settings.motions[motion].end_time,
         "tolerance": settings.tolerance,
         "record": {"snapshots": [], "grid": {"step": settings.interval}, "extremes": True},
     }
     made = read_part(Chain, scene, f"Problem {name}: ")
-    damping_model(made.law)
+    damping_model(made)
     return made
 
 
 def in_words(problem: Problem) -> str:
     """Return a problem in plain words and numbers, for any code."""
     scene, law = problem.scene, problem.scene.law
+    place, ends = PLATE if problem.wall else CHAIN
     return WORDS.format(
         title=problem.title,
         name=problem.name,
-        beads=scene.beads.count,
-        moved=MOTIONS[problem.motion].format(
-            force=problem.displacement**ALPHA, velocity=problem.front_velocity
-        ),
+        place=place.format(beads=scene.beads.count, gap=-float(problem.start[0][-1])),
+        ends=ends,
+        moved=MOTIONS[problem.motion].format(force=problem.force, velocity=problem.front_velocity),
         beta=law.beta,
         gamma=law.gamma,
         less=law.beta - 1.0,
@@ -169,7 +201,8 @@ def described(problem: Problem) -> dict[str, Any]:
         "collision_time": ("time", problem.collision_time),
         "end_time": ("time", scene.end_time),
         "interval": ("time", problem.interval),
-        "force_on_bead_1": ("force", scene.boundary.left_end**ALPHA),
+        "force_on_bead_1": ("force", problem.force),
+        "gap": ("displacement", -float(problem.start[0][-1])),
         "velocity_of_bead_1": ("velocity", scene.start.velocity[0]),
     }
     plain = {"mass": 1.0, "stiffness": 1.0, "damping": law.gamma}

@@ -25,13 +25,13 @@ FILE = Path(__file__).with_name("problems.yaml")
 APART = 5  # contacts on both sides between which a pulse is timed
 SAME = 1.0e-9  # distance of an end from a whole number of intervals that counts as none, over it
 
-Kind = Literal["front", "contact_loss", "striker", "collision", "solitary_wave"]
+Kind = Literal["plate", "drop", "collision", "striker", "solitary_wave", "front", "contact_loss"]
 
 
 class Motion(Part):
     """A chain, when its motion ends, and its dampings."""
 
-    beads: Annotated[int, Field(ge=2, le=10_000)] = Field(description="Number of beads.")
+    beads: Annotated[int, Field(ge=1, le=10_000)] = Field(description="Number of beads.")
     end_time: Positive = Field(description="Time at which the motion ends.")
     dampings: Listed[str] = Field(description="Names of dampings.")
 
@@ -56,7 +56,8 @@ class Settings(Part):
         "one, called hertz."
     )
     motions: Annotated[dict[Kind, Motion], Field(min_length=1)] = Field(
-        description="A front that pressure drives into a chain at rest; the same in a short chain, "
+        description="A bead that hits a plate with a velocity, or falls on it by its weight; a "
+        "front that pressure drives into a chain at rest; the same in a short chain, "
         "whose last beads are ejected; a bead that strikes a chain, or another bead; the same "
         "chain, where the speed of the pulse is compared with its force."
     )
@@ -88,6 +89,12 @@ class Settings(Part):
             yield (
                 f"{key}.end_time is {say(motion.end_time)}, no multiple of interval "
                 f"{say(self.interval)}, so that no state is compared at the end: change one."
+            )
+        at_wall = name in ("plate", "drop")
+        if at_wall != (motion.beads == 1):
+            yield (
+                f"{key}.beads is {motion.beads}, but one bead hits a plate, and other motions have "
+                "more: write such a number."
             )
         if name == "collision" and motion.beads != 2:
             yield f"{key}.beads is {motion.beads}, but two beads collide: write 2."

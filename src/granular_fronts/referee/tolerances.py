@@ -13,6 +13,7 @@ import numpy as np
 
 from granular_fronts.referee.answers import rows_of_states
 from granular_fronts.referee.assessment import Order, find, largest_error, observed_order
+from granular_fronts.referee.problems import ALPHA
 from granular_fronts.referee.results_files import Result
 from granular_fronts.reference_methods.half_step import SCHEMES, Chain, integrate
 
@@ -38,21 +39,19 @@ def move(problem, step, scheme="lagged_verlet", factor=1.0):
     """Return the motion that a scheme computes, with the damping of the problem times a factor."""
     scene, every = problem.scene, max(1, round(problem.interval / step))
     step = problem.interval / every
-    chain = Chain(1.5, scene.law.beta, factor * scene.law.gamma, scene.boundary.left)
-    motion = integrate(
-        chain,
-        np.zeros(scene.beads.count),
-        scene.start.velocity,
-        step,
-        round(scene.end_time / step),
-        scheme=SCHEMES[scheme],
-    )
+    left = problem.force ** (1.0 / ALPHA)
+    chain = Chain(ALPHA, scene.law.beta, factor * scene.law.gamma, left, wall=problem.wall)
+    steps = round(scene.end_time / step)
+    motion = integrate(chain, *problem.start, step, steps, scheme=SCHEMES[scheme])
     return Result(problem.name, step, motion.t[::every], motion.x[::every], motion.v[::every])
 
 
-def with_states_of(result, answer):
+def with_states_of(problem, result, answer):
     """Return an answer with the states of a result, to tell how far another one is from it."""
-    fields = {"relative_displacement": -np.diff(result.x), "velocity": result.v}
+    fields = {
+        "relative_displacement": problem.relative_displacements(result.x),
+        "velocity": result.v,
+    }
     return answer.assign({name: (answer[name].dims, field) for name, field in fields.items()})
 
 
@@ -62,8 +61,9 @@ def measure_tolerance(problem, answer, scheme, step):
     findings = [find(problem, answer, result) for result in results]
     rows = rows_of_states(answer)
     listed = [
-        largest_error(problem, answer.isel(t=rows), -np.diff(one.x[rows]), one.v[rows])
+        largest_error(problem, answer.isel(t=rows), u[rows], one.v[rows])
         for one in results
+        for u in [problem.relative_displacements(one.x)]
     ]
     motion, readings = zip(*((one.error, deviation(one)) for one in findings), strict=True)
     power = np.log2(motion[0] / motion[2]) / 2.0

@@ -49,13 +49,17 @@ from granular_fronts.numerics.interrupts import interrupted
 
 
 class Chain(NamedTuple):
-    """α, β and γ of the law, and the relative displacements δ and δ̃ held at the ends (25)."""
+    """α, β and γ of the law, and the relative displacements δ and δ̃ held at the ends (25).
+
+    A wall at the right end, in place of δ̃, touches the last bead at x = 0.
+    """
 
     alpha: float
     beta: float
     gamma: float
     left: float = 0.0
     right: float = 0.0
+    wall: bool = False
 
 
 class Motion(NamedTuple):
@@ -100,7 +104,7 @@ def integrate(
     alpha = scalar("alpha", chain.alpha, above=0.0, advice="give an exponent")
     beta = scalar("beta", chain.beta, least=1.0, advice="give an exponent")
     law = alpha, beta, scalar("gamma", chain.gamma, least=0.0, advice="give a damping")
-    ends = float(chain.left) ** alpha, float(chain.right) ** alpha
+    ends = float(chain.left) ** alpha, float(chain.right) ** alpha, chain.wall
     x, v = np.array(array("x", x)), np.array(array("v", v))
     step = scalar("step", step, above=0.0, advice="give a step")
     steps = count("steps", steps)
@@ -134,13 +138,16 @@ def advance(x, v, law, ends, scheme, follow, followed_x, followed_v):
 
 @kernel
 def _accelerate(x, v, law, ends, a):
-    """Right-hand side of (28), with the forces `ends` at the ends."""
+    """Right-hand side of (28), with the forces `ends` at the ends, or a wall at the right one."""
     alpha, beta, gamma = law
-    before = ends[0]
-    for n in range(x.size - 1):
-        u, after = x[n] - x[n + 1], 0.0
+    before, right, wall = ends
+    for n in range(x.size):
+        u, rate, after = x[n], v[n], 0.0
+        if n < x.size - 1:
+            u, rate = u - x[n + 1], rate - v[n + 1]
+        elif not wall:
+            u, after = 0.0, right
         if u > 0.0:
-            after = u**alpha + gamma * beta * u ** (beta - 1.0) * (v[n] - v[n + 1])
+            after = u**alpha + gamma * beta * u ** (beta - 1.0) * rate
         a[n] = before - after
         before = after
-    a[x.size - 1] = before - ends[1]
