@@ -7,6 +7,7 @@ import pytest
 from kernels import from_python
 
 from granular_fronts.fronts import sweep
+from granular_fronts.fronts.linear.tails import rate_of_tail_ahead
 from granular_fronts.fronts.profile import newton
 from granular_fronts.fronts.profile.equation import power_problem
 from granular_fronts.fronts.profile.long_wave_front import long_wave_front
@@ -210,6 +211,7 @@ def test_front_of_long_waves_is_that_of_the_papers_equation():
 
 def test_rate_ahead_solves_its_equation():
     gamma = 0.7
+    assert rate_ahead(power_problem(1.5, gamma, 1.5)) == np.inf
     kappa = rate_ahead(power_problem(1.5, gamma, 1.0))
     assert kappa == pytest.approx(4.0 * gamma * np.sinh(0.5 * kappa) ** 2, rel=1e-12)
     problem = power_problem(1.5, gamma, 1.5, 0.3)
@@ -217,6 +219,9 @@ def test_rate_ahead_solves_its_equation():
     stiffness = 1.5 * 0.3**0.5 / problem.speed**2
     damped = 1.0 + gamma * problem.speed * kappa
     assert kappa**2 == pytest.approx(stiffness * damped * bell, rel=1e-12)
+    # Slower than in any window, and faster than any grid resolves.
+    assert rate_of_tail_ahead(1.0, 0.1, 1.0) == 1e-12
+    assert rate_of_tail_ahead(1e-300, 0.0, 1.0) == 512.0
 
 
 @pytest.mark.parametrize(("alpha", "gamma"), [(1.05, 0.3), (3.0, 0.1)])

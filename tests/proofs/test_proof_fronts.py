@@ -6,7 +6,6 @@ import pytest
 
 import granular_fronts as gf
 from granular_fronts.proofs import certificate
-from granular_fronts.proofs.arrays import load
 from granular_fronts.proofs.checker import check_certificate
 
 FIGURES = {
@@ -50,16 +49,37 @@ def test_other_fronts(case, tmp_path):
     assert check_certificate(tmp_path / "front.npz") == record
 
 
-@pytest.mark.slow  # Makes and proves a certificate.
-def test_a_front_may_be_proved_without_the_expansion_behind(monkeypatch, tmp_path):
-    checks = []
+COARSE, LATE = (
+    {"proved": False, "reason": reason, "numbers": {}} for reason in ("Z1 < 1: no", "theta: no")
+)
+PROVED = {"proved": True, "reason": "", "numbers": {}}
+BARE = ["weights"]  # where the expansion behind is left out
 
-    def first_fails(path):
-        checks.append(check_certificate(path))
-        return checks[-1] | {"proved": len(checks) > 1}
 
-    monkeypatch.setattr(certificate, "check_certificate", first_fails)
-    assert gf.prove_front("3/2", "3/10", tmp_path / "front.npz")["proved"]
-    shown, remaining = (check["numbers"].keys() for check in checks)
-    assert {"monotone", "rate_low", "amplitude_low"} <= shown - remaining
-    assert "roots" not in load(tmp_path / "front.npz")
+@pytest.mark.parametrize(
+    ("given", "answers", "tried"),
+    [
+        ({}, [PROVED], [certificate.USUAL]),
+        ({}, [COARSE, PROVED], [certificate.USUAL, certificate.FINER[0]]),
+        ({}, [COARSE] * 4, [certificate.USUAL, *certificate.FINER, BARE]),
+        ({}, [LATE, PROVED], [certificate.USUAL, BARE]),
+        ({"fine": 60}, [COARSE, COARSE], [(20, 60, 6e-4), BARE]),
+    ],
+)
+def test_finer_cells_and_then_no_expansion_are_tried(monkeypatch, tmp_path, given, answers, tried):
+    """The last answer counts, and only cells that are too wide are made finer."""
+    written, left = [], list(answers)
+
+    def describe(_front, _alpha, _gamma, *mesh):
+        return dict.fromkeys(certificate.EXPANSION) | {"weights": [1.4, 2.7], "mesh": mesh}
+
+    monkeypatch.setattr(certificate, "describe", describe)
+    monkeypatch.setattr(certificate.stored, "write", lambda _, fields: written.append(fields))
+    monkeypatch.setattr(certificate, "check_certificate", lambda _: left.pop(0))
+    assert gf.prove_front("3/2", "3/10", tmp_path / "front.npz", **given) == answers[-1]
+    assert not left
+    for fields, way in zip(written, tried, strict=True):
+        bare = way == BARE
+        assert ("roots" in fields) != bare
+        assert len(fields["weights"]) == 2 - bare
+        assert bare or fields["mesh"] == tuple(way)

@@ -8,7 +8,7 @@ from certificates import DATA, KEPT, PROVED, proved
 
 import granular_fronts as gf
 from granular_fronts.proofs.enclosure import enclosure_dataset
-from granular_fronts.proofs.records import records_dataset
+from granular_fronts.proofs.records import JOINED, records_dataset
 
 
 @pytest.fixture(scope="module")
@@ -37,6 +37,13 @@ def test_data_hold_what_the_checker_says(kept):
                 found["inequality"].values, found["left"].values, found["right"].values, strict=True
             )
         }
+
+
+def test_fronts_that_continue_the_row_before_are_said_to(kept):
+    first, second = kept[0][:2]
+    joined = {"name": JOINED, "left": 0.7, "right": 1.0, "margin": 0.3}
+    second = second | {"inequalities": [*second["inequalities"], joined]}
+    assert records_dataset([first, second])["joined"].values.tolist() == [0, 1]
 
 
 def test_only_what_is_proved_is_in_the_data(kept):
