@@ -52,7 +52,6 @@ def proved_fronts(fronts: xr.Dataset, intervals: xr.Dataset) -> Figure:
     panels["errors"].set(title=title, ylabel=r"$|u - \bar u|$")
     title = "proved overshoot, at least"
     panels["maxima"].set(title=title, ylabel=r"$\max u - 1$", xlabel=r"damping $\gamma$")
-    panels["maxima"].legend(ncols=2, loc="lower left")
     lowest, highest = (
         [float(limit(data[end])) for data in (fronts, intervals)]
         for limit, end in ((np.min, "gamma_low"), (np.max, "gamma_high"))
@@ -63,6 +62,9 @@ def proved_fronts(fronts: xr.Dataset, intervals: xr.Dataset) -> Figure:
         axes.xaxis.set_major_formatter("{x:g}")
         axes.xaxis.set_minor_locator(NullLocator())
     figure.legend(handles=list(_shape_marks()), loc="outside upper center", ncols=2)
+    figure.legend(
+        *panels["maxima"].get_legend_handles_labels(), loc="outside lower center", ncols=2
+    )
     return figure
 
 
@@ -87,7 +89,7 @@ def _draw_shapes(
         look: dict[str, Any] = {"edgecolor": colour, "linewidth": edge, "zorder": 2.0 + edge}
         axes.barh(rows, widths, THICKNESS, left=bars["gamma_low"], color=colour, **look)
         rows = np.searchsorted(exponents, marks["alpha"])
-        look = {"markeredgecolor": "black", "markersize": 4, "zorder": 5}
+        look = {"markeredgecolor": "white", "markersize": 5, "zorder": 5}
         axes.plot(marks["gamma_low"], rows, marker, linestyle="none", color=colour, **look)
     axes.set_yticks(np.arange(exponents.size), [rf"$\alpha = {alpha:g}$" for alpha in exponents])
     axes.set(ylim=(-0.6, exponents.size - 0.4), title="fronts that are proved to exist")
@@ -96,7 +98,7 @@ def _draw_shapes(
 def _shape_marks() -> Iterator[Line2D]:
     """The meaning of colours and marks."""
     for words, colour, marker in SHAPES.values():
-        look: dict[str, Any] = {"color": colour, "markeredgecolor": "black", "markersize": 4}
+        look: dict[str, Any] = {"color": colour, "markeredgecolor": "white", "markersize": 5}
         yield Line2D([], [], linestyle="-", linewidth=4, marker=marker, label=words, **look)
 
 
