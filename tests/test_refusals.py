@@ -10,6 +10,7 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
+import xarray as xr
 from configurations import DEFAULT, SCENE, assert_refused, change
 from rings import scene_with
 
@@ -701,6 +702,22 @@ REFUSALS[ring_of] = [
     ({"alpha": 9.0, "delta": 1e300}, "A scale of this ring lies beyond double precision"),
     ({"alpha": 9.0, "delta": 1e-300}, "A scale of this ring lies beyond double precision"),
     ({"start": LOW}, "rescaled_force passes through"),
+]
+
+
+# Pictures.
+
+SHOWN = xr.Dataset({"relative_displacement": ("xi", [0.0])}, attrs={"converged": 1})
+NO_FRONT = SHOWN.assign_attrs(converged=0, reason="it is too steep")
+REFUSALS[keywords(gf.plot.front)] = [
+    ({"front": SHOWN, "ax": "x"}, "ax is 'x'"),
+    ({"front": 3}, "front is 3"),
+    ({"front": xr.Dataset()}, "relative_displacement on (xi)"),
+    ({"front": NO_FRONT}, "it is too steep"),
+]
+REFUSALS[keywords(gf.plot.chain)] = [({"motion": xr.Dataset()}, "on (t, bead) | snapshots: [10]")]
+REFUSALS[keywords(gf.plot.space_time)] = [
+    ({"motion": xr.Dataset()}, "relative_displacement_grid | grid: {step: 1}")
 ]
 
 

@@ -37,7 +37,7 @@ def solved(given=CHAINS, **changes):
 # Chains.
 
 
-@pytest.mark.parametrize(("beta", "right", "crossings"), [(1.5, 0.0, 1.2), (1.0, 0.02, 2.2)])
+@pytest.mark.parametrize(("beta", "right", "crossings"), [(1.5, 0.0, 1.2), (1.0, 0.04, 2.2)])
 def test_chain_point_agrees_with_the_same_scene_in_other_units(beta, right, crossings):
     """Solved with δ = 1 by the campaign and with δ = 0.1 by the scene: James (2021), eq. (29)."""
     given = {**CHAINS, "axes": {"gamma": [0.1]}, "tolerance": 1e-10}
