@@ -13,7 +13,7 @@ def draw(problem, answer, results, findings):
     figure, panels = new_figure(4.2, [["motion"], ["error"]])
     _draw_motion(panels["motion"], problem, answer, results)
     _draw_errors(panels["error"], findings)
-    figure.suptitle(problem.title, fontsize=7)
+    figure.suptitle(problem.title.replace(": ", "\n"), fontsize=7)
     return figure
 
 
