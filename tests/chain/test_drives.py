@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from chains import TIGHT, driven_scene, given, last_state
+from newton import newton
 from rings import slope_and_residual
 from scipy.integrate import quad
 
@@ -115,7 +116,7 @@ def test_order_is_eight_where_steps_meet_break_points(key, drive):
     ("key", "name"),
     [("force", "pulse"), ("force", "harmonic"), ("velocity", "half_sine"), ("velocity", "table")],
 )
-def test_what_a_driven_chain_records_is_within_twice_its_stated_error(key, name):
+def test_a_driven_chain_moves_by_newtons_law_and_is_within_twice_its_stated_error(key, name):
     """At snapshots steps end; the grid is read from the continuous extension between them."""
     record = {"snapshots": [2.0, 4.5, 12.0], "grid": {"step": 0.7}}
     scene = scene_of(key, DRIVES[name][0], right=0.05, record=record)
@@ -126,6 +127,7 @@ def test_what_a_driven_chain_records_is_within_twice_its_stated_error(key, name)
         # The sum of all velocities is as exact as its law: rounding of both is left.
         assert error < 2.0 * found.attrs["error_estimate"] + 1e-14
         assert found.attrs["error_estimate"] < 1e-4
+    np.testing.assert_allclose(last_state(scene), newton(scene), rtol=0, atol=1e-9)
     landed = solve(scene | {"record": {"snapshots": list(exact["t_grid"].values)}}, TIGHT).dataset
     for variable in ("relative_displacement", "velocity"):
         between, at_ends = exact[f"{variable}_grid"].values, landed[variable].values
