@@ -1,11 +1,8 @@
 """Equations of sections 2 and 3.1 of the paper that no other test names, each on what we compute.
 
-The rest: the potentials of (3) `test_potentials`, (12)-(14), (16)-(18), (20)-(23)
-`test_jump_conditions`, `test_check_jump_conditions` and `test_laws`, (24), (27)-(29)
-`test_scaling`, (26) `test_chain_balances`, (30) `test_campaign_kinds`, Remark 6 `test_collision`,
-and its materials the table of materials. That a chain obeys (1), (3), (5) and (25) is tested by
-`test_any_chain`, that (x, w) and (x, ẋ) are one motion by `test_chain_accuracy`, what (31) and (32)
-gain by `test_limiting_cases`, and Remark 5 by `test_any_input`.
+Elsewhere are the potentials of (3), the jump conditions (12)-(14), (16)-(18) and (20)-(23), the
+scales (27)-(29), (30) and Remarks 5 and 6; that any chain obeys (1), (3), (5), (25) and (26), and
+that (x, w) and (x, ẋ) are one motion.
 """
 
 import functools
