@@ -87,8 +87,8 @@ def test_orbit_agrees_with_fifty_digits(mu, s_stop):
     assert front["rescaled_force"].attrs["error_estimate"] < ACCURACY
 
 
-@pytest.mark.parametrize("mu", [0.3, pytest.param(50.0, marks=pytest.mark.slow)])
-def test_tail_keeps_the_relative_accuracy_of_the_logarithm(mu):
+def test_tail_keeps_the_relative_accuracy_of_the_logarithm():
+    mu = 0.3
     exact = Reference(mu, 0.0, p_start=760)
     s = np.linspace(1.0, compute_orbit(mu, 0.0).s_at(UNDERFLOW_P), 40)
     front = gf.heteroclinic(mu, s)

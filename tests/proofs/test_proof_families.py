@@ -136,6 +136,16 @@ def test_fronts_of_other_windows_are_joined(known):
     assert totals[1] == pytest.approx(totals[0], rel=1e-7)
 
 
+@pytest.mark.parametrize("place", [0, 1])
+def test_junction_counts_the_line_outside_the_cells(known, place):
+    """Where the first front is hardly enclosed behind or ahead of all cells."""
+    first, second = map(copy, known)
+    second.inequalities, first.outer_kappa = [], list(first.outer_kappa)
+    first.outer_kappa[place] = 1 / first.r
+    with in_balls(), pytest.raises(balls.NotProvedError, match="translate"):
+        join(first, second)
+
+
 @pytest.mark.slow  # Makes and proves certificates.
 def test_what_is_not_proved_is_made_anew_and_the_rest_is_kept(folder, tmp_path):
     """A certificate of another interval, and none, in the place of the second."""
