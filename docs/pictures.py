@@ -28,7 +28,7 @@ def shrink(figure: Path, scenes: dict[str, str], picture: Path) -> None:
     """Write a figure in fewer colours, at most 60 kB; scenes are by the keywords of figures."""
     with Image.open(figure) as drawn:
         shown = [scenes[word] for word in drawn.text["Keywords"].split()]
-        small = drawn.convert("RGB").quantize(COLOURS, Image.Quantize.MAXCOVERAGE)
+        small = drawn.convert("RGB").quantize(COLOURS, Image.Quantize.MAXCOVERAGE, kmeans=3)
     information = PngImagePlugin.PngInfo()
     information.add_text("Keywords", " ".join(shown))
     small.save(picture, optimize=True, pnginfo=information)

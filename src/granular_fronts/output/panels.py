@@ -56,8 +56,8 @@ def draw_spacetime(
 ) -> None:
     """Colour the (n, t) plane by a field on (t_grid, bead), bead across and time upwards.
 
-    With limits that are centred on 0 contacts at rest are white; wider gaps have one red.  Of the
-    colours the scale above shows those that occur.
+    With limits that are centred on 0 contacts at rest are white; wider gaps have one red.  The
+    scale above begins where the data do.
     """
     image = axes.pcolormesh(
         values["bead"],
@@ -80,7 +80,7 @@ def draw_spacetime(
         aspect=30,
         ticks=MaxNLocator(5),
     )
-    bar.ax.set_xlim(max(limits[0], float(values.min())), min(limits[1], float(values.max())))
+    bar.ax.set_xlim(left=max(limits[0], min(0.0, float(values.min()))))
 
 
 def name_waves(axes: Axes, arrivals: xr.DataArray) -> None:
