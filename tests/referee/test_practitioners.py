@@ -2,21 +2,23 @@
 
 import os
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 
 import numpy as np
 import pytest
 from lammps import LAMMPS, needs_lammps
 from pages import blocks, commands, load_script, run
-from result_files import write_dump
+from result_files import write_dump, write_table
 
 from granular_fronts.referee.answers import solve
-from granular_fronts.referee.assessment import find, report
-from granular_fronts.referee.files import write_problems
+from granular_fronts.referee.assessment import find, observed_order, report
+from granular_fronts.referee.files import write_case, write_problems
 from granular_fronts.referee.lammps_deck import write_deck
 from granular_fronts.referee.lammps_run import run_lammps
 from granular_fronts.referee.problems import load_problems
 from granular_fronts.referee.tolerances import move
+from granular_fronts.reference_methods.half_step import SCHEMES
 from projects import ROOT
 
 DOCUMENT = ROOT / "docs" / "practitioners.md"
@@ -64,6 +66,45 @@ def test_the_solitary_wave_hardly_sees_the_step():
         solitary_error_1=(100.0 * findings[0].error, ".2g"),
         solitary_error_2=(100.0 * findings[1].error, ".2g"),
     )
+
+
+SIX = ("drop_undamped_hertz", "plate_steel_viscoelastic", "collision_steel_viscoelastic")
+SIX += ("solitary_wave_undamped_hertz", "front_steel_viscoelastic")
+SIX += ("contact_loss_steel_viscoelastic",)
+
+
+def seen(name):
+    """A line of the page: orders of the schemes, and the damping that the lagged one looks like."""
+    problem, answer = PROBLEMS[name], solve(PROBLEMS[name])
+    found = {
+        scheme: [find(problem, answer, move(problem, step, scheme)) for step in STEPS[1:]]
+        for scheme in SCHEMES
+    }
+    orders = "".join(f"{observed_order(findings)!s:>18}" for findings in found.values())
+    excess = found["lagged_verlet"][0].excess
+    return f"{name:31}{orders}" + ("" if np.isnan(excess) else f"{100.0 * excess:+8.1f} %")
+
+
+def test_page_says_what_each_test_sees():
+    *lines, page = *map(seen, SIX), blocks(DOCUMENT, "text")[0].splitlines()
+    assert page[1:] == lines
+
+
+@pytest.mark.parametrize(
+    ("scheme", "passes"), [("lagged_verlet", True), ("symplectic_euler", False)]
+)
+def test_two_files_are_a_test(scheme, passes, tmp_path, monkeypatch):
+    problem = PROBLEMS["front_steel_viscoelastic"]
+    write_case(problem, tmp_path)
+    file = tmp_path / f"{problem.name}_0.1.csv"
+    write_table(file, move(problem, 0.1, scheme))
+    _, *lines = file.read_text().splitlines()
+    file.write_text("\n".join(lines).replace(" ", ""))
+    monkeypatch.chdir(tmp_path)
+    [code], names = blocks(DOCUMENT, "python"), {}
+    exec(code, names)
+    with nullcontext() if passes else pytest.raises(AssertionError):
+        names["test_a_front"]()
 
 
 @needs_lammps
@@ -130,17 +171,22 @@ def test_ejected_beads():
 
 @pytest.mark.slow
 def test_commands_run_as_shown(tmp_path):
-    """In the folder of the decks, where LAMMPS leaves its dumps."""
-    make, enter, ask = commands(DOCUMENT)
-    assert make == "snakemake -c2 referee"
-    folder = tmp_path / enter.removeprefix("cd ")
-    name = "front_steel_viscoelastic"
+    """With our scheme in the place of LAMMPS."""
+    cases, write, test, make, enter, ask = commands(DOCUMENT)
+    assert (cases, make) == ("granular-fronts-referee cases", "snakemake -c2 referee")
+    name, folder = "front_steel_viscoelastic", tmp_path / enter.removeprefix("cd ")
     write_problems({name: PROBLEMS[name]}, folder / "answers.csv")
-    for step in STEPS:
-        write_dump(folder / f"{name}_{step}.dump", move(PROBLEMS[name], step))
+    for place, steps in ((folder, STEPS), (tmp_path, (0.1,))):
+        for step in steps:
+            write_dump(place / f"{name}_{step}.dump", move(PROBLEMS[name], step))
+    assert test.startswith("cd case && lmp -in lammps.in -var step 0.1 && ")
+    command = "python -m granular_fronts.referee.command"
+    test = f"mv *.dump case; cd case && {test.rpartition('&& ')[2]}"
+    shell = "; ".join([cases, write, test]).replace("granular-fronts-referee", command)
     path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
-    packages = str(ROOT / "src")
-    outcome = run(["bash", "-c", f"{enter} && {ask}"], tmp_path, PATH=path, PYTHONPATH=packages)
-    assert outcome.returncode == 0, outcome.stderr
+    for words in (shell, f"{enter} && {ask}"):
+        packages = str(ROOT / "src")
+        outcome = run(["bash", "-ec", words], tmp_path, PATH=path, PYTHONPATH=packages)
+        assert outcome.returncode == 0, outcome.stderr
     assert QUOTED[name] in outcome.stdout
     assert (folder / f"{name}.png").stat().st_size > 10_000

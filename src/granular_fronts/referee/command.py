@@ -141,3 +141,7 @@ def _verdict_in_words(row, scheme):
         f"  Step {row['step']:g} {verdict} the tolerance of {scheme}: error {row['error']:.1e} "
         f"(tolerance {row['tolerance']:.1e}){reading or ''}."
     )
+
+
+if __name__ == "__main__":
+    main()
