@@ -38,6 +38,7 @@ def test_values_of_a_grid_are_kept_to_the_last_digit_whole_ones_whole_and_beta_i
     asked = campaign(axes={"beads": beads} | axes, fixed={"delta": 1})
     assert asked.grid["gamma"] == (0.1234567890123456,)
     assert asked.grid["beads"] == (20, 30, 40, 50, 60)
+    assert campaign(tolerance=...).settings["tolerance"] == 1e-9
     [chunk] = all_chunks(asked, 10)
     np.testing.assert_array_equal(chunk.points()["beta"], chunk.points()["alpha"])
 
