@@ -8,7 +8,7 @@ from kernels import from_python
 
 from granular_fronts.fronts import sweep
 from granular_fronts.fronts.linear.tails import rate_of_tail_ahead
-from granular_fronts.fronts.profile import newton
+from granular_fronts.fronts.profile import newton, solve
 from granular_fronts.fronts.profile.equation import power_problem
 from granular_fronts.fronts.profile.long_wave_front import long_wave_front
 from granular_fronts.fronts.profile.newton import Unknowns
@@ -159,6 +159,18 @@ def test_a_window_too_short_shows_in_the_speed():
     assert defects[1] < 1e-2 * defects[0]
     assert defects[2] < 1e-2 * defects[1]
     assert defects[3] <= 1e-15
+
+
+def test_a_window_that_is_too_short_is_lengthened_at_both_ends(monkeypatch):
+    problem = power_problem(1.5, 0.5, 1.0)
+    usual = solve_profile(problem)
+    short = choose_window(problem).longer(0.6, 0.6)
+    monkeypatch.setattr(solve, "choose_window", lambda _: short)
+    found = solve_profile(problem)
+    assert not found.reason
+    assert short.behind < -0.75 * found.xi[0]
+    assert short.ahead < 0.75 * found.xi[-1]
+    np.testing.assert_allclose(found.evaluate(usual.xi), usual.s, rtol=0, atol=1e-13)
 
 
 def test_refined_front_has_a_finer_grid_and_a_longer_window():

@@ -16,6 +16,7 @@ from granular_fronts.fronts.shooting.solve import (
     sample_window,
     shoot_front,
 )
+from granular_fronts.fronts.shooting.window import slow_roots
 
 WEAK = 0.06 * 0.1**0.25
 LAWS = [
@@ -126,6 +127,13 @@ def test_a_settled_state_may_still_be_no_front():
     for bead, u, words in ((front.bead[-1], 1.0e-14, "last bead"), (1, 0.6, "ahead of bead 0")):
         other = np.where((front.bead == bead)[:, np.newaxis], u, state)
         assert words in _reason_against(front.bead, other, error)
+
+
+def test_a_window_ends_in_all_modes_that_decay_like_the_slowest():
+    many = gf.tail_roots(20.0, 4.0, count=20)
+    slow = slow_roots(20.0, 4.0, 20.0)
+    assert slow.size == np.count_nonzero(many.real <= 2.1 * many[0].real) > 4
+    np.testing.assert_array_equal(slow, many[: slow.size])
 
 
 # Of the weakest continuum fronts are too far away; their windows have a thousand beads.

@@ -302,6 +302,18 @@ def test_residual_is_bounded_and_not_much_too_large(pair):
     assert bounds.max() <= known.Y0 * (1 + 1e-12)
 
 
+@pytest.mark.parametrize("name", ["monotone", "dashpots"])
+def test_force_of_strains_of_which_no_polynomial_is_made_is_not_forgotten(name):
+    with balls.in_balls():
+        front = enclosed(name, P=[arb_poly([0])] * len(enclosed(name).u))
+        small = [j for j, low in enumerate(front.u_low) if not low > 1e-11]
+        assert len(small) > 10
+        for j in small:
+            bound = front.force(j)[1] if name == "dashpots" else front.residual(j)
+            for place in (-1, 0.3, 1):
+                assert max(float(front.u[j](place)), 0.0) ** 1.5 <= balls.above(bound)
+
+
 @pytest.mark.parametrize("law", [Proportional, Dashpots])
 def test_norms_are_those_of_dense_matrices(law):
     """For a wrong matrix, which leaves more undone on the first bead than is sent behind."""
