@@ -86,6 +86,7 @@ def measures(problem, spacing, s):
     slopes = derivative(s, 1.0, 0.0) / spacing
     stiffness, viscosity = np.empty(s.size), np.empty(s.size)
     evaluate_slopes(problem, s, stiffness, viscosity)
+    flux = viscosity * slopes
     rate = problem.speed**3 * jump**2
     return np.array(
         [
@@ -98,6 +99,6 @@ def measures(problem, spacing, s):
             jump,
             1.0 / min(abs(slopes[rise]), abs(slopes[fall])),
             0.25 * jump / spacing,
-            rate * np.sum(np.abs(np.diff(viscosity * slopes))),
+            rate * np.sum(np.abs(flux[1:] - flux[:-1])),
         ]
     )

@@ -308,7 +308,9 @@ def _solve(problem, grids, middle, s, history, row):
     defect = newton.largest_convolution(problem, differences, s)
     if not (passes and defect <= 1.5 * DEFECT * problem.magnification):
         return False
-    row[:-4] = measures(problem, grid.spacing, s)
+    # Numba takes two seconds to compile what an assignment to a slice says of wrong shapes.
+    for k, value in enumerate(measures(problem, grid.spacing, s)):
+        row[k] = value
     row[-4], row[-3] = history[count], unknowns.speed[0] - 1.0
     return True
 
