@@ -20,6 +20,7 @@ rule fig01:
         "<benchmarks>/fig01.tsv"
     conda:
         "../envs/main.yaml"
+    priority: 2
     localrule: True
     script:
         "../scripts/figures/fig01.py"

@@ -18,6 +18,8 @@ rule initiate_front:
         "../envs/main.yaml"
     wildcard_constraints:
         scene="|".join(config["scenes"]["chain"]),
+    # Before studies, because a newcomer waits for figure 1.
+    priority: 2
     script:
         "../scripts/initiate_front.py"
 
