@@ -57,6 +57,11 @@ def test_patterns():
     np.testing.assert_array_equal(along(4, cell=[2.0], impurity=impurities), [2.0, 5.0, 7.0, 2.0])
 
 
+@pytest.mark.parametrize("pattern", [{"taper": {"difference": -0.24}}, {"cell": [1e6, 1e-6]}])
+def test_patterns_up_to_their_limits_are_accepted(pattern):
+    assert not list(Masses(**pattern).problems_along(5, is_ring=False))
+
+
 def test_random_factors_are_uniform_and_repeatable():
     """The standard deviation is spread/√3, and that of the mean a hundredth of it."""
     pattern = Pattern(cell=[3.0], random={"spread": 0.1, "seed": 3})

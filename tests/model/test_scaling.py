@@ -36,9 +36,11 @@ def test_scales_are_those_of_equation_27():
         length = ratio ** (1.0 / a) * scaling.velocity ** (2.0 / a)
         assert scaling.length == pytest.approx(length, rel=1e-14)
         assert scaling.force == pytest.approx(scaling.stiffness * length**scaling.alpha, rel=1e-12)
+        assert scaling.to_physical(1.0, "force") == scaling.force
         assert scaling.front_speed * scaling.time == pytest.approx(math.copysign(1.0, a - 2.0))
-        energy = scaling.to_physical(1.0, "energy")
+        energy, acceleration = (scaling.to_physical(1.0, q) for q in ("energy", "acceleration"))
         assert energy == pytest.approx(scaling.force * length, rel=1e-14)
+        assert acceleration == pytest.approx(scaling.force / scaling.mass, rel=1e-14)
 
 
 @pytest.mark.parametrize("quantity", QUANTITIES)
@@ -92,14 +94,15 @@ def struck_chain(k, m, gamma_0, velocity, length, end, alpha=1.5, beta=2.0):
     return motion.y[:, -1]
 
 
-def test_front_has_unit_scales():
+@pytest.mark.parametrize("alpha", [1.5, 2.2])
+def test_front_has_unit_scales(alpha):
     """With v₀ = v_p the scales are those of the front, eqs. (22), (23) and (30)."""
     m, k, delta, damping = 0.05, 2.0e9, 3.0e-6, 1.0e-6
-    front = gf.jump_conditions(hertz(1.5, k), -delta, 0.0, mass=m)
-    v_p = velocity_of_compression(delta, m, k)
+    front = gf.jump_conditions(hertz(alpha, k), -delta, 0.0, mass=m)
+    v_p = velocity_of_compression(delta, m, k, alpha)
     assert v_p == pytest.approx(front.velocity_behind, rel=1e-13)
-    assert velocity_of_force(k * delta**1.5, m, k) == pytest.approx(v_p, rel=1e-13)
-    scaling = gf.Scaling(m, k, damping, v_p)
+    assert velocity_of_force(k * delta**alpha, m, k, alpha) == pytest.approx(v_p, rel=1e-13)
+    scaling = gf.Scaling(m, k, damping, v_p, alpha)
     assert scaling.length == pytest.approx(delta, rel=1e-13)
     assert scaling.front_speed == pytest.approx(front.speed, rel=1e-13)
     assert scaling.gamma == pytest.approx(damping * front.speed, rel=1e-13)
@@ -120,6 +123,8 @@ def test_weak_damping_is_where_section_3_1_says(alpha, beta, where):
         gf.Scaling(**STEEL | {"velocity": v}, alpha=alpha, beta=beta) for v in (1e-3, 1e3)
     )
     assert slow.weak_damping == where
+    with pytest.raises(ValueError, match=r"there is no velocity v_c"):
+        _ = gf.Scaling(**STEEL | {"damping": 0.0}, alpha=alpha, beta=beta).critical_velocity
     if where == "no velocity":
         assert slow.gamma == fast.gamma
         with pytest.raises(ValueError, match=r"there is no velocity v_c"):
@@ -129,12 +134,13 @@ def test_weak_damping_is_where_section_3_1_says(alpha, beta, where):
         assert slow.critical_velocity == pytest.approx(fast.critical_velocity, rel=1e-9)
 
 
-def test_damping_follows_from_restitution():
+@pytest.mark.parametrize("exponents", [(), (2.2,), (2.2, 1.3)])
+def test_damping_follows_from_restitution(exponents):
     mass, stiffness = sphere_mass(0.0165, 7800.0), sphere_stiffness(0.0165, 2.0e11, 0.3)
-    damping = damping_from_restitution(0.9, 0.5, mass, stiffness)
-    gamma = gf.Scaling(mass, stiffness, damping, 0.5).gamma
-    assert gamma == pytest.approx(damping_for_restitution(0.9), rel=1e-14)
-    assert gf.restitution(gamma) == pytest.approx(0.9, rel=1e-12)
+    damping = damping_from_restitution(0.9, 0.5, mass, stiffness, *exponents)
+    gamma = gf.Scaling(mass, stiffness, damping, 0.5, *exponents).gamma
+    assert gamma == pytest.approx(damping_for_restitution(0.9, *exponents), rel=1e-14)
+    assert gf.restitution(gamma, *exponents) == pytest.approx(0.9, rel=1e-12)
 
 
 def test_sphere_agrees_with_hertz_in_two_steps():
