@@ -2,7 +2,6 @@
 
 import math
 import re
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,7 +11,6 @@ from scipy.integrate import solve_ivp
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import InputError
 from granular_fronts.model.collision import restitution
-from granular_fronts.model.laws import make_law
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.referee.__main__ import main
 from granular_fronts.referee.answers import solve, states
@@ -26,7 +24,6 @@ from granular_fronts.referee.assessment import (
 from granular_fronts.referee.decks import write_decks
 from granular_fronts.referee.drawing import draw
 from granular_fronts.referee.files import write_problems
-from granular_fronts.referee.lammps_deck import damping_model
 from granular_fronts.referee.measurements import excess_damping, first_peak, read_motion
 from granular_fronts.referee.problems import in_words, load_problems
 from granular_fronts.referee.results_files import Result, read_result
@@ -35,7 +32,7 @@ from granular_fronts.referee.tolerances import move
 from granular_fronts.reference_methods.half_step import SCHEMES
 
 SETTINGS = read_settings().plain()
-PROBLEMS = load_problems()
+LAWS, PROBLEMS = SETTINGS["laws"], load_problems()
 FRONT, COLLISION = "front_steel_viscoelastic", "collision_steel_dashpot"
 DROP, WAVE = "drop_undamped_hertz", "solitary_wave_undamped_hertz"
 SMALL = SETTINGS | {
@@ -57,13 +54,6 @@ def folder(tmp_path_factory):
     place = tmp_path_factory.mktemp("referee")
     write_problems(load_problems(SMALL), place / "answers.csv")
     return place
-
-
-def scene_with(beads=2, **law):
-    """A scene whose law and number of beads alone count."""
-    boundary = {"kind": "wall"} if beads == 1 else {"kind": "pressure", "left": 0, "right": 0}
-    law = make_law({"alpha": 1.5} | law)
-    return SimpleNamespace(law=law, boundary=SimpleNamespace(**boundary))
 
 
 @pytest.fixture(scope="module")
@@ -154,29 +144,20 @@ def test_decks_and_words_are_those_of_the_scene(name):
     assert high + low - scene.beads.count >= scene.boundary.left_end**1.25 * scene.end_time
 
 
-@pytest.mark.parametrize("gamma", [0.01, 1.2])
-@pytest.mark.parametrize(("beads", "less"), [(2, 1.0), (1, 2.0**-0.5)])
-def test_restitution_of_the_deck_is_that_of_the_collision(gamma, beads, less):
-    """For β = (α + 1)/2 the coefficient belongs to the law; two beads have half the mass of one."""
-    model, coefficient = damping_model(scene_with(beads=beads, beta=1.25, gamma=gamma))
-    assert model == "coeff_restitution"
-    assert coefficient == pytest.approx(restitution(less * gamma, 1.5, 1.25), rel=1e-11)
+@pytest.mark.parametrize("law", ["viscoelastic", "dashpot"])
+@pytest.mark.parametrize("motion", ["plate", "collision"])
+def test_answer_of_an_impact_is_the_restitution(folder, motion, law):
+    """A ball on a plate loses what two do by their reduced mass, of a damping that is smaller."""
+    answer, beta = read_dataset(folder / f"{motion}_steel_{law}" / "answer.nc"), LAWS[law]
+    gamma = 0.05 / 2.0 ** (1.0 - beta / 2.5) if motion == "plate" else 0.05
+    expected = [restitution(gamma * factor, 1.5, beta) for factor in answer["factor"].values]
+    error = np.abs(answer["reading"] - expected).max()
+    assert error < 2.0 * answer["reading"].attrs["error_estimate"] < 1e-10
+    assert 0.0 < answer["velocity"].attrs["error_estimate"] < 1e-12
 
 
-@pytest.mark.parametrize("law", [(2.0, 2.0, 0.1), (1.5, 1.1, 0.1), (1.5, 1.25, 1.3)])
-def test_a_law_that_lammps_has_not_is_named(law):
-    with pytest.raises(InputError, match="LAMMPS has no law with alpha"):
-        damping_model(scene_with(**dict(zip(("alpha", "beta", "gamma"), law, strict=True))))
-
-
-def test_a_ball_on_a_plate_keeps_its_balances(folder):
-    """It loses what two beads do by their reduced mass; a drop without damping keeps its energy."""
-    for name, beta in (("plate_steel_viscoelastic", 1.5), ("plate_steel_dashpot", 1.0)):
-        answer, law = read_dataset(folder / name / "answer.nc"), PROBLEMS[name].scene.law
-        of_two = law.gamma * 0.1 ** (beta - 1.25) / 2.0 ** (1.0 - beta / 2.5)
-        e = float(answer["reading"].sel(factor=1.0))
-        assert e == pytest.approx(restitution(of_two, 1.5, beta), rel=1e-9)
-    drop, answer = PROBLEMS[DROP], read_dataset(folder / DROP / "answer.nc")
+def test_a_drop_keeps_its_energy(folder):
+    answer, drop = read_dataset(folder / DROP / "answer.nc"), PROBLEMS[DROP]
     x, v = answer["relative_displacement"].values[:, 0], answer["velocity"].values[:, 0]
     weight, fall = 0.1**1.25 / 10.0, 5.0 * 0.1**1.25
     assert (drop.force, -x[0], x[20], v[20]) == pytest.approx((weight, fall, 0.0, 0.1**1.25))
@@ -184,33 +165,21 @@ def test_a_ball_on_a_plate_keeps_its_balances(folder):
     np.testing.assert_allclose(energy, weight * fall, rtol=1e-11)
 
 
-def test_answer_of_a_collision_is_the_restitution(folder):
-    answer = read_dataset(folder / COLLISION / "answer.nc")
-    expected = [restitution(0.05 * factor, 1.5, 1.0) for factor in answer["factor"].values]
-    error = np.abs(answer["reading"] - expected).max()
-    assert 0.5 * error < answer["reading"].attrs["error_estimate"] < 2.0 * error < 2.0e-11
-    assert 0.0 < answer["velocity"].attrs["error_estimate"] < 1e-12
-
-
 def test_every_problem_has_its_files_and_numbers(folder):
-    names = load_problems(SMALL)
-    assert {path.name for path in folder.iterdir()} == {"answers.csv", *names}
     table = [line.split(",") for line in (folder / "answers.csv").read_text().splitlines()]
-    assert {row[0] for row in table[1:]} == set(names)
+    names = {path.name for path in folder.iterdir()} - {"answers.csv"}
+    assert {row[0] for row in table[1:]} == names == load_problems(SMALL).keys()
     assert all(0.0 < float(row[3]) < 1e-9 for row in table[1:] if row[1][:7] != "contact")
-    gaps = {row[0] for row in table if row[1] == "time of the first gap"}
-    assert any(name.startswith("contact_loss") for name in gaps)
-    rows = (folder / FRONT / "states.csv").read_text().splitlines()
+    assert any(row[1] == "time of the first gap" for row in table if row[0][:12] == "contact_loss")
     answer = read_dataset(folder / FRONT / "answer.nc")
     assert answer["value"].attrs["error_estimate"] == answer["value_error"].max() > 0.0
     states = answer.sel(t=[10.0, 20.0, 30.0, 40.0])
     v = states["velocity"].values
     u = np.pad(states["relative_displacement"].values, [(0, 0), (0, 1)])
-    expected = [
-        [t, n + 1, u[k, n], v[k, n]] for k, t in enumerate((10, 20, 30, 40)) for n in range(16)
-    ]
-    found = [list(map(float, row.split(",")[:4])) for row in rows[1:]]
-    assert found == expected
+    times, beads = np.meshgrid(states["t"], states["bead"], indexing="ij")
+    expected = np.stack([times, beads, u, v], axis=-1).reshape(-1, 4)
+    listed = np.loadtxt(folder / FRONT / "states.csv", delimiter=",", skiprows=1)
+    np.testing.assert_array_equal(listed[:, :4], expected)
     ends = [float(row[2]) for row in table if row[0] == FRONT and row[1].startswith("velocity")]
     assert ends == v[-1, -3:].tolist()
 
@@ -223,18 +192,14 @@ def test_half_step_scheme_is_told_its_order_and_damping(folder, problem, capsys,
     main([*files, "--answers", str(folder), "--figures", str(tmp_path)])
     said = capsys.readouterr().out
     order, scatter = map(float, re.search(r"order is (\S+) ± (\S+)\.\n", said).groups())
-    assert order == pytest.approx(1.0, abs=0.2)
-    assert scatter < 0.1
+    assert abs(order - 1.0) < 0.2 > 2.0 * scatter
     excess = [float(found) for found in re.findall(r"gamma were (\S+) % too large", said)]
-    assert len(excess) == 3
-    np.testing.assert_allclose(np.array(excess[:-1]) / excess[1:], 2.0, rtol=0, atol=0.15)
+    np.testing.assert_allclose(np.divide(excess[:2], excess[1:]), 2.0, rtol=0, atol=0.15)
     # The step over the time of a collision is 2.3 %, of which a short chain shows half.
     assert 1.0 < excess[0] < 1.5
-    assert "fix mvv/dpd" in said
-    wanted = float(re.search("For an error of 0.001 take the step (.*)\\.\n", said).group(1))
-    assert find(problem, read_dataset(folder / FRONT / "answer.nc"), move(problem, 0.005)).error < (
-        1e-3 * 0.005 / wanted * 1.3
-    )
+    wanted = float(re.search("For an error of 0.001 take the step (.*)\\.\n", said)[1])
+    answer = read_dataset(folder / FRONT / "answer.nc")
+    assert find(problem, answer, move(problem, 0.005)).error < 1.3 * 1e-3 * 0.005 / wanted
     assert (tmp_path / f"{FRONT}.png").stat().st_size > 10_000
 
 
@@ -252,9 +217,6 @@ def test_accurate_result_passes_and_another_damping_is_seen(folder, problem):
         off = Result(FRONT, 0.1, answer["t"].values, x, v)._asdict()
         off[name] = off[name] + one
         assert find(problem, answer, Result(**off)).error == pytest.approx(1e-4 / scale, rel=1e-9)
-    wrong = [find(problem, answer, move(problem, step, factor=1.05)) for step in (0.01, 0.005)]
-    assert wrong[1].excess == pytest.approx(0.05, abs=3e-3)
-    assert observed_order(wrong).value < 0.3
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -287,7 +249,6 @@ def test_order_of_known_errors():
         ((32e-3, 8e-3, 2e-3), "take the step 0.071.", "Order one"),
         ((8e-3, 4e-3, 1e-3), "as wanted", "take the step"),
         ((5e-4, 5e-4, 5e-4), "as wanted", "another problem"),
-        ((5e-2, 5e-2, 5e-2), "this is another problem", "take the step"),
         ((1e-3, 2e-3, 4e-3), "this is another problem", "take the step"),
         ((8e-3, 4e-3, 4e-3 / 2**1.5), "not clear yet: add a smaller step", "take the step"),
         # Of slope 1 at last, but 3 before.
@@ -384,20 +345,17 @@ def test_peak_between_states_is_close_to_that_of_the_motion():
     assert 1e-4 < 1.0 - measurement(0.5) / measurement(0.05) < 1.3e-4
 
 
-def test_figure_shows_answer_and_results(folder, problem):
-    answer = read_dataset(folder / FRONT / "answer.nc")
-    results = [move(problem, step) for step in (0.5, 0.25, 0.125, 0.1, 0.05)]
+@pytest.mark.parametrize("name", [FRONT, DROP])
+def test_figure_shows_answer_and_results(folder, name):
+    problem, answer = load_problems(SMALL)[name], read_dataset(folder / name / "answer.nc")
+    results = [move(problem, step) for step in (0.25, 0.1, 0.05)]
     findings = [find(problem, answer, result) for result in results]
     motion, error = draw(problem, answer, results, findings).axes
-    lines = motion.get_lines()
-    contact = problem.scene.beads.count // 2
-    np.testing.assert_array_equal(
-        lines[0].get_ydata(), answer["relative_displacement"].sel(contact=contact)
-    )
-    for line, result in zip(lines[1:], results, strict=True):
-        u = result.x[:, contact - 1] - result.x[:, contact]
+    at = max(0, problem.scene.beads.count // 2 - 1)
+    shown = [problem.relative_displacements(result.x)[:, at] for result in results]
+    shown = [answer["relative_displacement"][:, at], *shown]
+    for line, u in zip(motion.get_lines(), shown, strict=True):
         np.testing.assert_array_equal(line.get_ydata(), u)
-    assert len({tuple(line.get_color()) for line in lines[1:]}) == len(results)
     errors, line = error.get_lines()
     np.testing.assert_array_equal(errors.get_ydata(), [one.error for one in findings])
     slopes = line.get_ydata() / line.get_xdata()
@@ -509,25 +467,20 @@ def test_results_of_another_motion_are_named(folder, problem):
 
 
 def test_impossible_arguments_are_named(folder, problem, tmp_path):
-    """Of a removed problem the files of an earlier run remain, and one may be broken."""
-    (tmp_path / "again").mkdir()
-    first, again = (
-        write_table(place / f"{FRONT}_0.1.csv", move(problem, 0.1))
-        for place in (tmp_path, tmp_path / "again")
-    )
+    """The files of an earlier run may be broken, or of other problems."""
+    first = write_table(tmp_path / f"{FRONT}_0.1.csv", move(problem, 0.1))
     for name in (COLLISION, FRONT):
-        (tmp_path / name).mkdir()
+        (tmp_path / name / FRONT).mkdir(parents=True)
         (tmp_path / name / "answers.csv").write_text(
-            f"problem,quantity,value,error\n{name},a,1,0\n{name},b,1,0\n"
+            f"problem,quantity,value,error\n{name},a,1,0\n"
         )
-    (tmp_path / FRONT / FRONT).mkdir()
-    (tmp_path / FRONT / FRONT / "answer.nc").write_text("no dataset")
-    known = ["--answers", str(folder)]
+        (tmp_path / name / FRONT / "answer.nc").write_text("no dataset")
+    known = [first, "--answers", str(folder)]
     for words, sentence in (
         ([first, "--answers", "nowhere"], "nowhere holds no answers: make them by snakemake"),
-        ([first, *known, "--error=0"], r"--error is 0\S*, but must be a finite number, above 0"),
-        ([first, *known, f"--figures={folder}/answers.csv"], r"no folder can be made"),
-        ([first, again, *known], "is there twice with step"),
+        ([*known, "--error=0"], r"--error is 0\S*, but must be a finite number, above 0"),
+        ([*known, f"--figures={folder}/answers.csv"], "no folder can be made"),
+        ([first, *known], "is there twice with step"),
         ([first, "--answers", str(tmp_path / COLLISION)], f"but the problems are {COLLISION}:"),
         ([first, "--answers", str(tmp_path / FRONT)], r"answer\.nc is not a readable netCDF"),
     ):
@@ -546,7 +499,6 @@ def front(**changes):
     ("change", "sentence"),
     [
         ({"motions": {"wave": CHAIN}}, 'motions.wave is "wave", which is unknown: choose plate'),
-        ({"motions": {}}, "motions is empty"),
         ({"motions": {"solitary_wave": CHAIN | {"beads": 11}}}, "motions.solitary_wave.beads is"),
         (front(dampings=["stee"]), "motions.front.dampings names 'stee'"),
         (front(beads=10**9), "motions.front.beads is 1000000000, above its limit"),
@@ -554,12 +506,9 @@ def front(**changes):
         ({"motions": {"drop": CHAIN}}, "motions.drop.beads is 60, but one bead hits a plate"),
         (front(beads=1), "motions.front.beads is 1, but one bead hits a plate"),
         ({"motions": {"collision": CHAIN | {"beads": 3}}}, "motions.collision.beads is 3, but two"),
-        ({"factors": [0.9, 1, 1, 1.1]}, "factors must increase"),
         ({"factors": [0.9, 1.1, 1.2]}, "factors must increase, and hold 1"),
-        ({"displacement": 0}, "displacement is 0, but must be above 0"),
-        ({"tolerance": {"relative": 1e-12}}, "tolerance.absolute is missing"),
-        ({"laws": {"Kuwabara": 1.5}}, '"Kuwabara" in laws is no usable name'),
         ({"laws": {"other": 1.1}}, "LAMMPS has no law with alpha = 1.5"),
+        ({"dampings": dict.fromkeys(SETTINGS["dampings"], 1.3)}, "beta = 1.25, gamma = 1.3: take"),
     ],
 )
 def test_impossible_settings_are_named(change, sentence):

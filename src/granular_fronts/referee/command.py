@@ -13,7 +13,13 @@ from pathlib import Path
 
 from granular_fronts.errors import InputError, end_with_reader
 from granular_fronts.referee.answers import solve
-from granular_fronts.referee.assessment import damping_without_step, find, measured, observed_order
+from granular_fronts.referee.assessment import (
+    Order,
+    damping_without_step,
+    find,
+    measured,
+    observed_order,
+)
 from granular_fronts.referee.files import make_folder, write_case
 from granular_fronts.referee.problems import load_problems
 from granular_fronts.referee.results_files import read_results
@@ -78,38 +84,52 @@ def _judge(problems, options):
         findings = [find(problem, answer, result) for result in results]
         limits = [measure_tolerance(problem, answer, options.scheme, one.step) for one in findings]
         rows = [_row(name, *pair) for pair in zip(findings, limits, strict=True)]
-        cases.append({"case": name, "results": rows} | _summary(findings))
+        schemes = _beside_schemes(problem, answer, results)
+        excess = dict(
+            zip(("excess_damping", "change"), damping_without_step(findings), strict=True)
+        )
+        summary = _order(findings) | excess | {"schemes": schemes}
+        cases.append({"case": name, "results": rows} | summary)
         if not options.json:
             print("\n".join(measured(problem, findings)))
             print("\n".join(_verdict_in_words(row, options.scheme) for row in rows))
-            print("\n".join(_beside_schemes(problem, answer, results)))
+            print("\n".join(_schemes_in_words(schemes, results[-1].step)))
     if options.json:
-        print(json.dumps(cases))
+        print(json.dumps(_without_nan(cases)))
     return 0 if all(row["passes"] for case in cases for row in case["results"]) else 1
 
 
-def _summary(findings):
-    """Return order and excess damping with their scatter, null where the steps are too few."""
-    order = observed_order(findings) if len(findings) > 1 else (math.nan, math.nan)
-    names = "order", "order_scatter", "excess_damping", "excess_damping_scatter"
-    numbers = *order, *damping_without_step(findings)
-    return {name: _number(number) for name, number in zip(names, numbers, strict=True)}
+def _without_nan(found):
+    """Replace NaN, which JSON has not, by null."""
+    if isinstance(found, dict):
+        return {name: _without_nan(value) for name, value in found.items()}
+    if isinstance(found, list):
+        return [_without_nan(value) for value in found]
+    return None if isinstance(found, float) and math.isnan(found) else found
 
 
-def _number(number):
-    """Return what JSON can hold."""
-    return None if math.isnan(number) else float(number)
+def _order(findings):
+    order = observed_order(findings) if len(findings) > 1 else Order(math.nan, math.nan)
+    return {"order": order.value, "scatter": order.scatter}
 
 
 def _beside_schemes(problem, answer, results):
-    """Each scheme's order at the same steps, and how far the result is from it at the smallest."""
-    yield "  Three schemes, measured alike; a code may have the order of one for another reason:"
+    """Return orders of the schemes at the same steps, and how far the result of the last is off."""
+    found = {}
     for name in SCHEMES:
         motions = [move(problem, result.step, name) for result in results]
         findings = [find(problem, answer, motion) for motion in motions]
-        order = f"order {observed_order(findings)}, " if len(findings) > 1 else ""
-        apart = find(problem, with_states_of(problem, motions[-1], answer), results[-1]).error
-        yield f"    {name}: {order}{apart:.1e} from the result at step {results[-1].step:g}."
+        there = with_states_of(problem, motions[-1], answer)
+        found[name] = _order(findings) | {"distance": find(problem, there, results[-1]).error}
+    return found
+
+
+def _schemes_in_words(schemes, step):
+    yield "  Three schemes, measured alike; a code may have the order of one for another reason:"
+    for name, one in schemes.items():
+        order = Order(one["order"], one["scatter"])
+        order = "" if math.isnan(order.value) else f"order {order}, "
+        yield f"    {name}: {order}{one['distance']:.1e} from the result at step {step:g}."
 
 
 def _row(name, finding, limit):
@@ -126,20 +146,19 @@ def _row(name, finding, limit):
         "step": finding.step,
         "error": finding.error,
         "tolerance": limit.motion,
-        "reading": _number(reading),
-        "reading_tolerance": _number(limit.reading),
+        "reading": reading,
+        "reading_tolerance": limit.reading,
         "passes": finding.error <= limit.motion and read_within,
     }
 
 
 def _verdict_in_words(row, scheme):
     verdict = "is within" if row["passes"] else "MISSES"
-    reading = row["reading"] is not None and (
-        f", number off by {row['reading']:.1e} (tolerance {row['reading_tolerance']:.1e})"
-    )
+    read = f", number off by {row['reading']:.1e} (tolerance {row['reading_tolerance']:.1e})"
+    reading = "" if math.isnan(row["reading"]) else read
     return (
         f"  Step {row['step']:g} {verdict} the tolerance of {scheme}: error {row['error']:.1e} "
-        f"(tolerance {row['tolerance']:.1e}){reading or ''}."
+        f"(tolerance {row['tolerance']:.1e}){reading}."
     )
 
 
