@@ -19,14 +19,7 @@ sys.path.append(str(ROOT / "workflow" / "lib"))
 
 from captions import read_texts  # noqa: E402
 
-CAPTIONS = {
-    file.stem: read_texts(file)
-    for folder in ("workflow/captions", *sorted(ROOT.glob("projects/*/captions")))
-    for file in sorted((ROOT / folder).glob("*.rst"))
-}
-TABLES = {name.removeprefix("table_"): CAPTIONS[name] for name in CAPTIONS if "table_" in name}
-FIGURES = {name: CAPTIONS[name] for name in CAPTIONS if "table_" not in name}
-"""Texts of all tables and figures by the names of their files."""
+PROJECTS = sorted(ROOT.glob("projects/*/README.md"))
 
 
 def write_pages(folder: Path, results: Path) -> None:
@@ -53,11 +46,8 @@ def write_pages(folder: Path, results: Path) -> None:
         "configuration": configuration_page(),
         "campaigns": campaign_page(),
         "variables": _variables(),
-        "figures": figures_page(results),
-        "paper_numbers": _tables(results, ["paper_numbers"]),
-        "findings": _tables(results, ["findings"]),
-        **project_pages(),
-        "tables": _tables(results, ["front_properties", "critical_damping", "jump_conditions"]),
+        "tables": _tables(results),
+        **pages_elsewhere(),
     }
     for name, text in made.items():
         page = folder / f"{name}.md"
@@ -67,31 +57,20 @@ def write_pages(folder: Path, results: Path) -> None:
 
 
 class Group(NamedTuple):
-    """Public names that belong together, shown on a page with a picture."""
+    """Public names that belong together, shown on a page."""
 
     page: str
     title: str
     words: str
-    figure: str
 
 
 GROUPS = (
-    Group("chains", "Chains", "Integrate the motion of a chain or of a ring of beads.", "1"),
-    Group(
-        "fronts",
-        "Fronts",
-        "Solve a front of the lattice, its tail and its stability.",
-        "exact_fronts",
-    ),
-    Group("equations", "Amplitude equations", "Solve the long-wave equations of the chain.", "8"),
-    Group(
-        "laws",
-        "Laws and scaling",
-        "Choose a contact law, and convert real beads.",
-        "jump_conditions",
-    ),
-    Group("proofs", "Proofs", "Prove that a front exists, and check a proof.", "critical_damping"),
-    Group("plots", "Plots", "Draw a dataset in one line.", "multipliers"),
+    Group("chains", "Chains", "Integrate the motion of a chain or of a ring of beads."),
+    Group("fronts", "Fronts", "Solve a front of the lattice, its tail and its stability."),
+    Group("equations", "Amplitude equations", "Solve the long-wave equations of the chain."),
+    Group("laws", "Laws and scaling", "Choose a contact law, and convert real beads."),
+    Group("proofs", "Proofs", "Prove that a front exists, and check a proof."),
+    Group("plots", "Plots", "Draw a dataset in one line."),
 )
 
 NAMES = {
@@ -139,7 +118,7 @@ def _members(group: Group) -> list[tuple[str, Any]]:
 
 def group_page(group: Group) -> str:
     """A group of public names with their docstrings."""
-    lines = [f"# {group.title}", "", group.words, "", f"<!-- figure {group.figure} -->"]
+    lines = [f"# {group.title}", "", group.words]
     for name, value in _members(group):
         kind = "class" if inspect.isclass(value) else "function"
         members = ["   :members:"] if kind == "class" else []
@@ -153,7 +132,7 @@ VARIABLES = """# Variables
 Names of variables and coordinates in the netCDF files below `results/data`, each with its attribute
 `long_name`. A recording with coordinates of its own ends them with its name:
 `relative_displacement_grid` on (`t_grid`, `bead`). What the letters stand for:
-[symbols](../symbols.md).
+[symbols](../glossary.md#symbols).
 
 | variable | what |
 |---|---|
@@ -166,88 +145,31 @@ def _variables() -> str:
     return VARIABLES + "\n".join(rows) + "\n"
 
 
-def figures_page(results: Path) -> str:
-    """Every figure, with the caption of what was computed, or with the command that draws it."""
-    lines = ["# Figures"]
-    for name in FIGURES:
-        lines += ["", f"({name})=", "", f"## {_title(name)}", "", *_picture(name, results, "../..")]
-        caption = (results / "figures" / name).with_suffix(".rst")
-        if caption.exists():
-            # Captions are reStructuredText.
-            lines += ["", "```{eval-rst}", caption.read_text(encoding="utf-8").strip(), "```"]
-    return "\n".join(lines) + "\n"
+def pages_elsewhere() -> dict[str, str]:
+    """Pages of other folders; the links of a README stand as deep there as they will here."""
+    places = [ROOT / "config/README.md", *PROJECTS]
+    found = {f"readme_{page.parent.name}": page.read_text(encoding="utf-8") for page in places}
+    for name in ("CONTRIBUTING", "CHANGELOG"):
+        text = (ROOT / f"{name}.md").read_text(encoding="utf-8")
+        found[name] = text.replace("](docs/", "](../").replace("](config/", "](../../config/")
+    return found
 
 
-def target_of(name: str) -> str:
-    """The target that draws a figure: fig01 of fig01_initiation_underdamped."""
-    return name.partition("_")[0] if name.startswith("fig0") else name
-
-
-def _title(name: str) -> str:
-    """Number and title of a figure of the paper, title of another."""
-    number = re.match(r"fig0(\d)_", name)
-    return f"Figure {number[1]}. {FIGURES[name].title}" if number else FIGURES[name].title
-
-
-def _picture(name: str, results: Path, up: str) -> list[str]:
-    """A figure as Markdown, or the command that draws it where it was not asked for."""
-    if not (results / "figures" / f"{name}.png").exists():
-        return [f"This figure is drawn on demand, by `snakemake -c2 {target_of(name)}`."]
-    return [f"![{FIGURES[name].comment}]({up}/results/figures/{name}.png)"]
-
-
-PICTURE = re.compile(r"<!-- figure (?P<target>\w+) -->")
-"""Where a page shows a figure of the run."""
-
-
-def fill_pictures(text: str, page: str, results: Path) -> str:
-    """A page with the figures of a run where it asks for them.
-
-    Parameters
-    ----------
-    text : str
-        The page; ``<!-- figure 1 -->`` or ``<!-- figure critical_damping -->`` in a line of its own
-        asks for a figure.
-    page : str
-        Its path below docs, from which the paths of pictures follow.
-    results : Path
-
-    Returns
-    -------
-    str
-    """
-
-    def fill(found: re.Match[str]) -> str:
-        target = f"fig0{found['target']}" if found["target"].isdigit() else found["target"]
-        [name] = [name for name in FIGURES if target_of(name) == target]
-        title = f"*{_title(name)}.*"
-        picture = _picture(name, results, "../" * page.count("/") + "..")
-        return "\n".join([*picture, "", title] if "![" in picture[0] else [f"{title} {picture[0]}"])
-
-    return PICTURE.sub(fill, text)
-
-
-def project_pages() -> dict[str, str]:
-    """The page of each project, whose links stand as deep in the repository as they will."""
-    return {
-        f"project_{page.parent.name}": page.read_text(encoding="utf-8")
-        for page in sorted(ROOT.glob("projects/*/README.md"))
-    }
-
-
-def _tables(results: Path, names: list[str]) -> str:
-    """Some tables with their titles and captions, as a page."""
-    lines: list[str] = []
-    for name in names:
-        rows = (results / "tables" / f"{name}.md").read_text(encoding="utf-8").strip()
-        rows = "\n".join(_kept_columns(rows.splitlines()))
-        heading = "##" if lines else "#"
-        lines += [f"{heading} {TABLES[name].title}", "", TABLES[name].caption, "", rows]
-    return "\n".join(lines) + "\n"
-
+TABLES = ("paper_numbers", "findings", "front_properties", "critical_damping", "jump_conditions")
 
 LEFT_OUT = ("paper_place", "remark", "scene")
 """Columns of the tables of statements that no page is wide enough for; they stand in the report."""
+
+
+def _tables(results: Path) -> str:
+    """Tables of a run with their titles and captions, as a page."""
+    lines = ["# Tables"]
+    for name in TABLES:
+        texts = read_texts(ROOT / "workflow" / "captions" / f"table_{name}.rst")
+        rows = (results / "tables" / f"{name}.md").read_text(encoding="utf-8").strip()
+        rows = "\n".join(_kept_columns(rows.splitlines()))
+        lines += ["", f"## {texts.title}", "", texts.caption, "", rows]
+    return "\n".join(lines) + "\n"
 
 
 def _kept_columns(rows: list[str]) -> list[str]:

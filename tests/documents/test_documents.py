@@ -1,12 +1,23 @@
 """README and manual are true: commands run or can be planned, code runs, what is named exists."""
 
+import inspect
+import pkgutil
 import re
 import shlex
 import sys
 
 import pytest
 import yaml
-from pages import EXTENDING, README, blocks, commands, commands_in_lines, load_script, run
+from pages import (
+    EXTENDING,
+    README,
+    all_blocks,
+    blocks,
+    commands,
+    commands_in_lines,
+    load_script,
+    run,
+)
 from PIL import Image
 
 from granular_fronts.campaign.definition import check_campaign
@@ -14,9 +25,12 @@ from granular_fronts.output.datasets import configuration_of, read_dataset
 from granular_fronts.scenes.yaml_files import load_configuration
 from projects import ROOT
 
-START, HOW_TO, PROOFS, PRACTITIONERS, YOUR_PROJECT = (
+START, COMMANDS, PHYSICS, PROOFS, PRACTITIONERS, YOUR_PROJECT, EQUATIONS = (
     ROOT / "docs" / f"{name}.md"
-    for name in ("start", "how_to", "proofs", "practitioners", "your_project")
+    for name in (
+        *("start", "commands", "what_is_a_front", "proofs", "practitioners", "your_project"),
+        "equations",
+    )
 )
 PAGES = load_script("measured").pages()
 DOCUMENTS = [*ROOT.glob("*.md"), *ROOT.glob("projects/*/README.md"), *PAGES[1:]]
@@ -67,10 +81,18 @@ def test_modules_run_as_shown(words_of):
         assert outcome.returncode == 0, outcome.stderr
 
 
-def test_python_examples_of_the_first_pages_run():
-    for page in (README, START):
-        for code in blocks(page, "python"):
-            exec(code, {})
+@pytest.mark.parametrize("page", [START, COMMANDS, PHYSICS], ids=lambda page: page.stem)
+def test_pages_print_what_they_show(page, capsys, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    names, printed, compared = {}, "", 0
+    for language, text in all_blocks(page):
+        if language == "python":
+            exec(text, names)
+            printed = capsys.readouterr().out
+        elif language == "text" and printed:
+            assert printed == text
+            printed, compared = "", compared + 1
+    assert compared
 
 
 def test_readme_prints_what_it_shows(capsys):
@@ -88,7 +110,8 @@ def test_examples_that_read_a_finished_run_are_executed(monkeypatch):
     if not (ROOT / "results" / "report.html").exists():
         pytest.skip("the workflow has not run")
     monkeypatch.chdir(ROOT)
-    for code in blocks(HOW_TO, "python"):
+    for page in (COMMANDS, ROOT / "docs" / "tutorials" / "front_initiation.md"):
+        [code] = blocks(page, "py")
         exec(code, {})
 
 
@@ -145,23 +168,22 @@ def test_small_pictures_show_the_default_configuration(default):
 
 
 def test_shown_campaigns_are_possible():
-    for text in blocks(HOW_TO, "yaml"):
+    for text in blocks(COMMANDS, "yaml"):
         assert check_campaign(yaml.safe_load(text), "shown").size > 1
 
 
 def test_laboratory_scene_is_the_same_in_yaml_and_in_python():
     page = ROOT / "docs" / "tutorials" / "laboratory.md"
     [text], names = blocks(page, "yaml"), {}
-    exec(blocks(page, "{code-cell}")[0].partition("motion =")[0], names)
+    exec(blocks(page, "python")[0].partition("motion =")[0], names)
     assert yaml.safe_load(text)["scenes"]["chain"]["steel_ptfe"] == names["scene"]
 
 
 def test_linked_files_exist():
-    """Also those of pages that the manual does not hold."""
+    """None is a page that only a build writes."""
     for document in DOCUMENTS:
         for name in re.findall(r"\]\((?!https?:)([^)#]+)", document.read_text(encoding="utf-8")):
-            # The build of the manual writes these, and finds a dead link to them.
-            assert "generated" in name or (document.parent / name).exists(), (document, name)
+            assert (document.parent / name).exists(), (document, name)
 
 
 def test_configuration_page_names_every_key(default):
@@ -170,7 +192,17 @@ def test_configuration_page_names_every_key(default):
     assert [key for key in keys if f"`{key}`" not in page] == []
 
 
-def test_index_of_equations_is_that_of_the_docstrings():
-    script = load_script("equations")
-    page = (ROOT / "docs" / "equations.md").read_text(encoding="utf-8")
-    assert page == script.make_page(*script.find_equations()), "run python docs/equations.py"
+def test_equations_lead_to_functions_in_files_that_name_them():
+    page = EQUATIONS.read_text(encoding="utf-8")
+    rows = re.findall(r"^\| \((\d+)\) \| .* \| (.*) \|$", page, re.MULTILINE)
+    assert [int(number) for number, _ in rows] == [*range(1, 60)]
+    for number, cell in rows:
+        for name, link in re.findall(r"\[`([\w.]+)`\]\(([^)]+)\)", cell):
+            function = pkgutil.resolve_name(re.sub(r"^(gf\.)?", "granular_fronts.", name))
+            file = (EQUATIONS.parent / link).resolve()
+            compiled = getattr(function, "py_func", function)
+            assert inspect.getsourcefile(compiled) == str(file)
+            text = file.read_text(encoding="utf-8")
+            named = re.findall(r"\((\d+)\)(?:(?:-| to )\((\d+)\))?", text)
+            ranges = [range(int(first), int(last or first) + 1) for first, last in named]
+            assert any(int(number) in one for one in ranges), (number, name)

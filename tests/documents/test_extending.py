@@ -3,7 +3,6 @@
 import shlex
 
 import numpy as np
-import pandas as pd
 import pytest
 from pages import EXTENDING, carry_out, commands
 
@@ -13,7 +12,7 @@ from projects import copy_project, lend_kernels, snakemake
 
 pytestmark = pytest.mark.slow
 
-SUBJECTS = ("A figure", "A study", "A table", "A scene's option")
+SUBJECTS = ("A figure", "A study", "A scene's option")
 
 
 def command(word):
@@ -28,7 +27,7 @@ def project(tmp_path_factory):
     copy = lend_kernels(copy_project(tmp_path_factory.mktemp("project")))
     for subject in SUBJECTS:
         assert carry_out(copy, subject)
-    wanted = [command(word)[-1] for word in ("flux_difference", "front_width.nc", "tabulate")]
+    wanted = [command(word)[-1] for word in ("flux_difference", "front_width.nc")]
     outcome = snakemake("-c2", *wanted, folder=copy)
     assert outcome.returncode == 0, outcome.stderr
     return copy
@@ -40,14 +39,11 @@ def test_a_figure_is_added(project):
     assert drawn == {f"flux_difference.{ending}" for ending in ("pdf", "png", "rst")}
 
 
-def test_a_study_is_added_and_its_table(project):
+def test_a_study_is_added(project):
     found = read_dataset(project / command("front_width.nc")[-1])["front_width"]
     for gamma, width in zip((0.3, 1.0), found.values, strict=True):
         assert width == pytest.approx(gf.solve_front(1.5, gamma).attrs["width_10_90"], rel=1e-12)
     assert found.attrs["long_name"]
-    table = pd.read_csv(project / "results/tables/front_width.csv")
-    np.testing.assert_array_equal(table["front_width"], found.values)
-    assert table["front_width_error"].max() == found.attrs["error_estimate"]
     impossible = project / "impossible.yaml"
     impossible.write_text("exact_fronts: {front_width: {gammas: [0.3, 0]}}", encoding="utf-8")
     outcome = snakemake("--configfile", impossible, "-n", folder=project)

@@ -1,4 +1,4 @@
-"""What the manual makes of the code: public names, keys of the configuration, pictures, links."""
+"""What the manual makes of the code: public names and keys of the configuration."""
 
 import doctest
 import re
@@ -10,9 +10,8 @@ from pages import load_script
 
 import granular_fronts as gf
 from granular_fronts.campaign.kinds import KINDS
-from projects import ROOT
 
-PAGES, KEYS, LINKS, MEASURED = map(load_script, ("generate", "configuration", "links", "measured"))
+PAGES, KEYS = map(load_script, ("generate", "configuration"))
 
 
 # Public names.
@@ -64,37 +63,3 @@ def test_every_axis_and_scalar_of_a_campaign_is_listed():
     for name, kind in KINDS.items():
         rows = rows_of(page, f"Kind {name}")
         assert rows.keys() >= kind.point.model_fields.keys() | kind.scalars.keys()
-
-
-# Pictures and links.
-
-
-def test_a_page_shows_a_figure_or_how_to_draw_it(tmp_path):
-    (tmp_path / "figures").mkdir()
-    (tmp_path / "figures" / "critical_damping.png").touch()
-    filled = PAGES.fill_pictures("a\n\n<!-- figure critical_damping -->\n", "theory/a", tmp_path)
-    assert "](../../results/figures/critical_damping.png)" in filled
-    missing = PAGES.fill_pictures("<!-- figure model_error -->", "a", tmp_path)
-    assert "snakemake -c2 model_error`" in missing
-    assert "![" not in missing
-
-
-def test_figures_equations_lemmas_and_papers_are_links():
-    text = "In figures 2 and 3, Lemmas 4 to 7 and (24)-(32) of James (2021); f(1), p'(1), (99)"
-    found = [(text[start:stop], place) for start, stop, place in LINKS.links_in(text)]
-    assert [name for name, _ in found] == [
-        *("figures 2", "3", "Lemmas 4", "7", "(24)", "(32)", "James (2021)")
-    ]
-    places = dict(found)
-    assert places["3"] == "generated/figures.html#fig03_initiation_overdamped"
-    assert places["(32)"] == "equations.html#eq-32"
-    assert places["James (2021)"] == "bibliography.html#james-2021"
-    file, line = places["Lemmas 4"].removeprefix("sources/").split(".html#L-")
-    assert "**Lemma 4 " in (ROOT / file).read_text(encoding="utf-8").splitlines()[int(line) - 1]
-
-
-def test_every_paper_is_cited():
-    files = [*ROOT.glob("projects/*/README.md"), *ROOT.glob("src/**/*.py"), *MEASURED.pages()]
-    texts = [file.read_text(encoding="utf-8") for file in files if file.stem != "bibliography"]
-    cited = " ".join(" ".join(texts).split())
-    assert [paper for paper in LINKS.PAPERS if paper not in cited] == []

@@ -12,7 +12,7 @@ from projects import ROOT
 # Scripts of the manual import each other.
 sys.path.append(str(ROOT / "docs"))
 
-README, EXTENDING = ROOT / "README.md", ROOT / "docs" / "extending.md"
+README, EXTENDING = ROOT / "README.md", ROOT / "docs" / "develop.md"
 PLACE = re.compile(r"(?:#|\.\.) (\S+\.\w+)(?:, (above|below) (.+))?\n")
 FENCE = re.compile(r"^( *)```(\S*)[^\n]*\n(.*?)^\1```", re.MULTILINE | re.DOTALL)
 

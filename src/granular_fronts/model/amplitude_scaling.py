@@ -1,7 +1,7 @@
 r"""Scales between the chain and its amplitude equations (James 2021, section 4).
 
 The relative displacements and velocities of a chain with :math:`\beta = \alpha` follow from the
-rescaled force :math:`y(\xi, \tau)` as
+rescaled force :math:`y(\xi, \tau)` by (37),
 
 .. math::
 

@@ -15,8 +15,9 @@ Normalisation.  Let :math:`R = R_a + (R_b - R_a)\,s`, so that s falls from 1 to 
     p(s) = \frac{V'(R) - V'(R_a)}{c^2 (R_b - R_a)}, \qquad
     q(s) = \frac{W'(R) - W'(R_a)}{c\,(R_b - R_a)} .
 
-In units of time in which the front runs one bead, p and q are all that it depends on.  Integrated
-twice, with s → 0 ahead, the equation is one of the second kind,
+In units of time in which the front runs one bead, p and q are all that it depends on.  The paper
+integrates once, for the displacements (8).  Integrated twice, with s → 0 ahead, the equation is one
+of the second kind,
 
 .. math::
 
