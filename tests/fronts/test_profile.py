@@ -173,6 +173,15 @@ def test_a_window_that_is_too_short_is_lengthened_at_both_ends(monkeypatch):
     np.testing.assert_allclose(found.evaluate(usual.xi), usual.s, rtol=0, atol=1e-13)
 
 
+def test_a_front_far_from_long_waves_is_followed_from_stronger_damping():
+    problem = power_problem(3.0, 0.004, 3.0)
+    found = solve_profile(problem)
+    assert solve._from_long_wave(problem, choose_window(problem)).reason
+    assert not found.reason
+    assert found.problem.damping == problem.damping
+    assert abs(found.speed_defect) < 1e-14
+
+
 def test_refined_front_has_a_finer_grid_and_a_longer_window():
     front = solve_profile(power_problem(1.5, 0.5, 1.5))
     finer = refine(front)
@@ -193,6 +202,7 @@ NO_FRONTS = {
     "again ahead": lambda front: changed(front, front.middle + 9, 0.6),
     "another branch": lambda front: changed(front, -9, -1e-11),
     "out of the domain": lambda front: front._replace(problem=front.problem._replace(most=0.9)),
+    "overshoots by": lambda front: front._replace(problem=front.problem._replace(least=0.1)),
     "ends of the window": lambda front: changed(front, 0, 1.0 + 1e-12),
     "decays more slowly": lambda front: changed(front, -1, 1e-12),
 }
