@@ -135,15 +135,16 @@ def test_errors_of_measures_follow_from_that_of_the_strain(name):
     """An error η of the strain moves levels by η/|R'|, slopes by η/(4h), the power by parts."""
     front, (law, _) = solved(name), ALL[name]
     found, strain = front.attrs, front["strain"].values
-    error, slopes = 0.99 * found["error_estimate"], np.gradient(strain, front["xi"].values)
-    assert min(found["overshoot_error"], found["first_peak_error"]) >= error
+    error, slopes = found["error_estimate"], np.gradient(strain, front["xi"].values)
     way = (strain - strain[-1]) / (strain[0] - strain[-1])
     flattest = min(abs(slopes[np.flatnonzero(way >= level)[-1]]) for level in (0.1, 0.9))
-    assert found["width_10_90_error"] >= error / flattest
-    assert found["slope_error"] >= 0.25 * error / found["spacing"]
+    expected = {"overshoot": 1.0, "first_peak": 1.0, "width_10_90": 1.0 / flattest}
     if law.proportional is None:
         weighted = found["speed"] ** 2 * law.viscous.second(strain) * slopes
-        assert found["dissipated_power_error"] >= 0.9 * error * np.abs(np.diff(weighted)).sum()
+        expected["dissipated_power"] = np.abs(np.diff(weighted)).sum()
+    for measure, factor in expected.items():
+        assert 0.98 * factor * error <= found[f"{measure}_error"] <= 2.0 * factor * error
+    assert found["slope_error"] >= 0.249 * error / found["spacing"]
 
 
 def test_errors_scale_with_the_jump():
