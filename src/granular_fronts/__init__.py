@@ -1,8 +1,35 @@
 """Traveling fronts in dissipative granular chains, after James (2021).
 
-A public name is imported at its first use.  So a check of a configuration, or a help text, does not
-wait for numba.
+The calls that matter most, after ``import granular_fronts as gf``:
+
+======================  ===================================================================
+`gf.solve_front`        the steady front of given α and damping, to round-off
+`gf.sweep_fronts`       the same for many dampings
+`gf.simulate_chain`     the motion of a chain that is pressed, pushed or struck
+`gf.jump_conditions`    speed of a front, velocities and dissipation, from its two states
+`gf.critical_damping`   the damping above which a front no longer oscillates
+`gf.front_multipliers`  whether a front returns after a small kick
+`gf.Scaling`            γ and the units of a chain of real beads
+`gf.restitution`        restitution of two beads; back: `gf.damping_for_restitution`
+`gf.make_law`           any other force between beads
+`gf.plot`               pictures: ``gf.plot.front(front)``, ``gf.plot.chain(motion)``
+======================  ===================================================================
+
+For example:
+
+>>> import granular_fronts as gf
+>>> front = gf.solve_front(alpha=1.5, gamma=0.05)
+>>> print(f"overshoot {front.attrs['overshoot']:.6f}")
+overshoot 0.320675
+
+Numbers are dimensionless.  The damping of `gf.solve_front` is γc, in units of the front; for a
+chain with damping γ that is compressed by δ it is γ δ^((α − 1)/2) where β = α.  Results are xarray
+datasets with errors beside the numbers: ``front.attrs["overshoot_error"]``, and `error_estimate`
+among the attributes of each variable.  ``help(gf.solve_front)`` explains one call.
 """
+
+# A public name is imported at its first use.  So a check of a configuration, or a help text, does
+# not wait for numba.
 
 from importlib import import_module
 

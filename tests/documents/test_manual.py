@@ -28,7 +28,7 @@ FOUND = [getattr(gf, name) for name in gf.__all__ if name != "plot"]
 FOUND += [getattr(gf.plot, name) for name in gf.plot.__all__]
 
 
-@pytest.mark.parametrize("module", sorted({value.__module__ for value in FOUND}))
+@pytest.mark.parametrize("module", sorted({"granular_fronts", *(v.__module__ for v in FOUND)}))
 def test_examples_give_what_they_show(module):
     if "proofs" in module:
         pytest.importorskip("flint")

@@ -70,8 +70,8 @@ class Scaling:
     --------
     >>> k = gf.sphere_stiffness(radius=0.01, youngs_modulus=200e9, poisson_ratio=0.3)
     >>> scaling = gf.Scaling(mass=0.033, stiffness=k, damping=6e-6, velocity=0.1)
-    >>> print(f"{scaling.length:.2e} m, {scaling.time:.2e} s, γ = {scaling.gamma:.2f}")
-    3.99e-06 m, 3.99e-05 s, γ = 0.15
+    >>> print(scaling)
+    γ = 0.150279; units: v₀ = 0.1 m/s, δ₀ = 3.99257e-06 m, T₀ = 3.99257e-05 s, F₀ = 82.6535 N
     """
 
     mass: float
@@ -113,6 +113,13 @@ class Scaling:
         """
         body = named_body("first", first)
         return cls(body.mass, contact_stiffness(first, first), damping, velocity)
+
+    def __str__(self) -> str:
+        """Return the damping and the units, which `print` shows."""
+        return (
+            f"γ = {self.gamma:.6g}; units: v₀ = {self.velocity:.6g} m/s, δ₀ = {self.length:.6g} m, "
+            f"T₀ = {self.time:.6g} s, F₀ = {self.force:.6g} N"
+        )
 
     @property
     def time(self) -> float:
