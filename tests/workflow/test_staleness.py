@@ -5,9 +5,7 @@ gives the same command again.
 """
 
 import contextlib
-import functools
 import os
-import resource
 import signal
 import subprocess
 import sys
@@ -27,8 +25,6 @@ SMOKE = ["--configfile", "config/smoke.yaml"]
 SCENE = "initiation_underdamped"
 DATA = f"results/smoke/data/chain/{SCENE}.nc"
 FIGURE = f"results/smoke/figures/fig01_{SCENE}.png"
-# The chain is compiled and its file written within it; the file of the scene is larger.
-LARGEST_FILE = 60_000
 
 
 def ask(project, name, change):
@@ -49,23 +45,23 @@ def keywords_of_data(project):
     return f"{SCENE}:{digest}"
 
 
-def start(project, options, prepare=lambda: None):
-    """Start drawing the figure, and do not wait for its end."""
-
-    def before():
-        # Where the tests run in the background, interrupts are ignored, by their children too.
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-        prepare()
-
-    return subprocess.Popen(
+def interrupt(project, options):
+    """Press Ctrl-C."""
+    process = subprocess.Popen(
         [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, options), "--", "fig01"],
         cwd=project,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
         text=True,
         start_new_session=True,
-        preexec_fn=before,
+        # Where the tests run in the background, interrupts are ignored, by their children too.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
     )
+    wait_for_job(process, "initiate_front.py")
+    time.sleep(2.0)
+    os.killpg(process.pid, signal.SIGINT)
+    process.communicate(timeout=60.0)
+    assert process.returncode != 0
 
 
 def fail_in_script(project, options):
@@ -79,27 +75,8 @@ def fail_in_script(project, options):
     assert run.returncode != 0
 
 
-def fill_disk(project, options):
-    """Let no file grow beyond a size that the data need."""
-    limit = functools.partial(resource.setrlimit, resource.RLIMIT_FSIZE, (LARGEST_FILE,) * 2)
-    process = start(project, options, prepare=limit)
-    process.communicate(timeout=120.0)
-    assert process.returncode != 0
-
-
-def interrupt(project, options):
-    """Press Ctrl-C."""
-    process = start(project, options)
-    wait_for_job(process, "initiate_front.py")
-    time.sleep(2.0)
-    os.killpg(process.pid, signal.SIGINT)
-    process.communicate(timeout=60.0)
-    assert process.returncode != 0
-
-
 BREAKS = {
     fail_in_script: {"law": {"gamma": 0.21}},
-    fill_disk: {"law": {"gamma": 0.22}},
     interrupt: {"law": {"gamma": 0.25}, "end_time": 1000000},
 }
 

@@ -71,27 +71,17 @@ def test_files_replace_other_kinds_and_the_command_line_wins(tmp_path):
     assert "initiate_front" in rules_due(run)
 
 
-@pytest.mark.parametrize(
-    "given", [["--configfile", "config/smoke.yaml"], ["--config", "results=elsewhere"]]
-)
-def test_an_option_of_which_snakemake_would_drop_the_first_is_refused(given):
+def test_an_option_of_which_snakemake_would_drop_the_first_is_refused():
+    given = ["--configfile", "config/smoke.yaml"]
     run = snakemake("--dry-run", *given, *given)
     assert run.returncode != 0
-    assert f"{given[0]} is given twice" in run.stderr
+    assert "--configfile is given twice" in run.stderr
 
 
 @pytest.mark.slow
 def test_smoke_run_makes_everything(finished):
     page = (finished / "results/smoke/report.html").read_text(encoding="utf-8")
     assert page.count("data:image/png;base64,") == len(FIGURES)
-    for words in [
-        "Figure 1.",
-        "initiation_underdamped:",
-        "Run times",
-        "initiate_front/",
-        "compute_heteroclinic/",
-    ]:
-        assert words in page
     plan = snakemake("--dry-run", "--configfile", "config/smoke.yaml", folder=finished)
     assert plan.returncode == 0, plan.stderr
     assert not rules_due(plan)
