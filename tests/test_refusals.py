@@ -634,6 +634,7 @@ REFUSALS[campaign_of(CHAINS)] = [
     ({"fixed": {"alpha": 1.0, "beads": 30}}, "alpha is 1.0, but must be above 1"),
     ({"fixed": {"alpha": 1.5, "beads": 19}}, "beads is 19 | limit 20"),
     ({"fixed": {"alpha": 1.5, "beads": 30.5}}, "beads is 30.5 | a whole number"),
+    ({"fixed": {"alpha": 1.5, "beads": 4 * 10**7}}, "beads is 40000000 | 19 GiB | 16 GiB"),
     ({"fixed": {"alpha": 1.5, "beads": 10**9}}, "beads is 1000000000 | 477 GiB"),
     ({"fixed": {"alpha": 1.5}}, "beads is missing | number of beads N"),
     ({"axes": {"beads": {"linspace": [20, 41, 3]}}}, "beads is given under axes and"),

@@ -107,9 +107,11 @@ def test_digest_of_data_sees_values_names_and_shapes():
             dataset.assign(a=(("y", "z"), [[1.0, 2.0]])),
             dataset.assign(a=("x", [1, 2])),
             dataset.assign(word=((), "fpu")),
+            dataset.assign_coords(x=[0.0, 1.0]),
+            dataset.assign_coords(x=[0.0, 2.0]),
         )
     }
-    assert len(digests) == 6
+    assert len(digests) == 8
     assert data_digest(dataset) == data_digest(dataset.assign_attrs(solver="other"))
 
 

@@ -55,6 +55,7 @@ DEFAULTS = read_yaml(CONFIG / "default.yaml")
         ("above 0, in beads", Range(0.0, math.inf, strict=True)),
         ("> 0", Range(0.0, math.inf, strict=True)),
         ("at most -1.5e-3", Range(-math.inf, -1.5e-3)),
+        ("below 1", Range(-math.inf, 1.0, strict=True)),
         ("< 1", Range(-math.inf, 1.0, strict=True)),
     ],
 )

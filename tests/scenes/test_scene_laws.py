@@ -16,6 +16,7 @@ from granular_fronts.scenes.configuration import SCENES
 from granular_fronts.scenes.laws import (
     decades_of_energy,
     decades_of_impact,
+    decades_of_load,
     front_speed,
 )
 
@@ -142,3 +143,25 @@ def test_sizes_of_a_law_are_the_same_in_both_forms(velocity, size):
     )
     energies = {"elastic": 2.5 * size, "viscous": math.log10(0.2) + 3.5 * size}
     assert decades_of_energy(by_kinds, size) == pytest.approx(energies, abs=1e-3)
+    loads = [decades_of_load(law, 10.0**size) for law in (by_exponents, by_kinds)]
+    assert loads == pytest.approx([size / 1.5] * 2, abs=0.1)
+
+
+STRIKER = {"kind": "striker", "beads": 1, "velocity": 9.0}
+
+
+@pytest.mark.parametrize(
+    ("changes", "largest"),
+    [
+        ({}, 0.3),
+        ({"start": given([0.1, -0.7, *[0.0] * 17], np.zeros(20))}, 0.7),
+        ({"start": given(np.zeros(19), [0.0, -9.0, *[0.0] * 18])}, 9.0**0.8),
+        ({"start": STRIKER, "boundary": {"kind": "wall", "left": 0.3}}, 9.0**0.8),
+        ({"boundary": {"kind": "piston", "velocity": 2.0}}, 2.0**0.8),
+        ({"boundary": {"kind": "force", "force": 2.0}}, 2.0 ** (1 / 1.5)),
+        ({"gravity": -0.25}, (0.25 * 20) ** 0.4),
+    ],
+)
+def test_size_of_a_motion_is_that_of_the_largest_that_drives_it(changes, largest):
+    """A displacement, or what a velocity, a force or the weight of all beads makes of a contact."""
+    assert 10.0 ** Chain.read(scene(SHORT, **changes)).size == pytest.approx(largest)

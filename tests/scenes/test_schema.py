@@ -11,10 +11,13 @@ from configurations import DEFAULT, SCENE
 from jsonschema import Draft202012Validator
 from pydantic import ValidationError
 
+from granular_fronts.scenes.beads import Contacts, Factors, Masses
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.configuration import SCENES, Configuration
 from granular_fronts.scenes.parts import Part
 from granular_fronts.scenes.yaml_files import load_configuration
+
+PARTS = (Masses(), Factors(), Contacts())
 
 
 def parts_below(part):
@@ -33,6 +36,19 @@ def test_every_key_of_a_scene_says_what_it_is():
                 f"{part.__name__}.{name}"
             )
             assert part.__doc__
+
+
+def test_what_is_left_out_of_a_scene_changes_nothing():
+    """It is absent, false, an empty mapping, added as 0 or, of a taper, multiplied by 1."""
+    found = {
+        f"{part.__name__}.{name}": field.get_default(call_default_factory=True)
+        for part in parts_below(Part)
+        for name, field in part.model_fields.items()
+        if part.__module__.startswith("granular_fronts.scenes") and not field.is_required()
+    }
+    assert found["Chain.gravity"] == 0.0
+    filled = {name: value for name, value in found.items() if value and value not in PARTS}
+    assert filled == {"Taper.ratio": 1.0}
 
 
 def test_the_schema_for_editors_takes_the_default_and_no_unknown_key():
