@@ -79,10 +79,12 @@ def test_a_contact_that_separates_from_touch_exerts_nothing():
         assert gf.simulate_chain(scene)["contact_force_between"].values[0] == force
 
 
+@pytest.mark.parametrize("mass", [1.0, 1.0e-2])
 @pytest.mark.parametrize("t", [1.0e-10, 1.0e-7])
-def test_the_rounding_of_velocities_is_that_of_what_they_are_made_from(t):
-    """At first ẋ = w + G is the small difference of two numbers of size γδ^β, eq. (31)."""
-    scene = driven_scene(beads=20, end_time=1.0, record={"snapshots": [t]})
+def test_the_rounding_of_velocities_is_that_of_what_they_are_made_from(t, mass):
+    """At first ẋ = w + G/m is the small difference of two numbers of size γδ^β/m, eq. (31)."""
+    beads = {"count": 20, "mass": {"impurity": {"bead": 1, "mass": mass}}}
+    scene = driven_scene(beads=beads, end_time=1.0, record={"snapshots": [t]})
     velocity = gf.simulate_chain(scene)["velocity"]
-    exact = 0.1**1.5 * t  # The next term is smaller by t.
+    exact = 0.1**1.5 * t / mass  # The next term is smaller by t.
     assert abs(float(velocity[0, 0]) - exact) <= 2.0 * velocity.attrs["error_estimate"]

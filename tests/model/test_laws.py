@@ -40,6 +40,7 @@ def test_both_forms_of_the_law_28_are_one():
     long = make_law(elastic=HERTZ, viscous={"kind": "simon_hunt_crossley", "gamma": 0.3})
     assert short == long
     assert (short.alpha, short.beta, short.gamma) == (1.5, 2.5, 0.3)
+    assert make_law(alpha=1.2).beta == 1.2
     bare = make_law(elastic=HERTZ)
     assert (bare.alpha, bare.beta, bare.gamma) == (1.5, 1.5, 0.0)
 
@@ -101,10 +102,13 @@ def test_a_users_law_says_that_a_file_cannot_hold_it():
         ({"elastic": TODA, "viscous": {"kind": "dashpot"}}, "no kind of viscous potential"),
         ({"elastic": TODA, "viscous": {"kind": "proportional"}}, "proportional has no gamma"),
         ({"elastic": TODA, "viscous": {"kind": "none", "gamma": 1}}, "no parameter of none"),
-        (
-            {"elastic": TODA, "viscous": {"kind": "simon_hunt_crossley", "gamma": 1.0}},
-            "belongs to the elastic kind hertz, but the elastic one is Toda potential",
-        ),
+        *[
+            (
+                {"elastic": TODA, "viscous": {"kind": kind, "gamma": 1.0}},
+                "to the elastic kind hertz",
+            )
+            for kind in ("kuwabara_kono", "simon_hunt_crossley")
+        ],
     ],
 )
 def test_wrong_law_is_named(mapping, sentence):
