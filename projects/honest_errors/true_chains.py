@@ -221,8 +221,11 @@ def _parted(motion: Motion) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     breaks = motion.pieces[0] if motion.driven else np.zeros(1)
     before = np.searchsorted(breaks, starts[row[contacts] - 1], side="right") - 1
     times = breaks[before]
-    velocity = np.pad(motion.states(times)[1], ((0, 0), (0, 1)))
-    rates = (velocity - np.roll(velocity, -1, axis=1))[np.arange(contacts.size), contacts]
+    velocity = motion.states(times)[1]
+    ahead = np.roll(velocity, -1, axis=1)
+    if not motion.ring:
+        ahead[:, -1] = 0.0
+    rates = (velocity - ahead)[np.arange(contacts.size), contacts]
     return times, contacts, np.where(rates < -PARTED * motion.size, rates, np.nan)
 
 
