@@ -110,10 +110,11 @@ def test_impact_without_and_front_with_damping_tell_schemes_apart(scheme, orders
 
 
 def test_bad_input_has_a_status_of_its_own_and_one_sentence(tmp_path, capsys):
-    few = move(PROBLEMS[FRONT], 0.1)
-    few = few._replace(x=few.x.round(3), v=few.v.round(3))
+    results = [(move(PROBLEMS[name], 0.1), digits) for name, digits in ((FRONT, 3), (WAVE, 5))]
+    few, fewer = (one._replace(x=one.x.round(n), v=one.v.round(n)) for one, n in results)
     for words, sentence in (
         (["judge", table(tmp_path, FRONT, 0.1, few)], "2 digits, too few to tell whether"),
+        (["judge", table(tmp_path, WAVE, 0.1, fewer)], "digits, too few to tell whether"),
         (["judge", tmp_path / f"{FRONT}_*.csv"], "There is no file"),
         (["write", "front_of_steel", tmp_path / "case"], "There is no case front_of_steel: choose"),
         (["write", COLLISION, tmp_path / f"{FRONT}_0.1.csv"], "no folder can be made"),

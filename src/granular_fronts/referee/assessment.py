@@ -23,7 +23,8 @@ class Finding(NamedTuple):
     `error` is the larger of the errors of u over δ and of the velocities over δ^(5/4), of all
     states; `measurement` and `excess` come from `measurements`; NaN if undefined.  `exact` is the
     measurement of the answer.  `digits` are those of the file: they leave `error_open` of the
-    error open, and may settle the error and the damping well enough to conclude from them.
+    error and `measurement_open` of the measurement open, and may settle the error and the damping
+    well enough to conclude from them.
     """
 
     step: float
@@ -33,6 +34,7 @@ class Finding(NamedTuple):
     exact: float
     digits: int = ALL_DIGITS
     error_open: float = 0.0
+    measurement_open: float = 0.0
     error_settled: bool = True
     damping_settled: bool = True
 
@@ -58,7 +60,7 @@ def find(problem, answer, result):
     exact = float(answer["reading"].sel(factor=1.0))
     follows_from = np.abs([error, measurement - exact])
     settled = np.isnan(follows_from) | (left_open <= LEFT_OPEN * follows_from)
-    digits = result.digits, float(left_open[0]), *settled.tolist()
+    digits = result.digits, *left_open.tolist(), *settled.tolist()
     return Finding(result.step, error, measurement, excess, exact, *digits)
 
 

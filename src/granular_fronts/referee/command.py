@@ -134,13 +134,15 @@ def _schemes_in_words(schemes, step):
 
 def _row(name, finding, limit):
     """Compare errors with their tolerances; an InputError says that digits leave it open."""
-    if abs(finding.error - limit.motion) < finding.error_open:
+    reading = deviation(finding)
+    reading_open = finding.measurement_open / abs(finding.exact)
+    error_is_open = abs(finding.error - limit.motion) < finding.error_open
+    if error_is_open or abs(reading - limit.reading) < reading_open:
         raise InputError(
             f"{name} with step {finding.step:g} has {finding.digits} digits, too few to tell "
-            f"whether its error is below {limit.motion:.2g}: write all, in LAMMPS by dump_modify "
-            "… format float %.17g."
+            "whether it is within its tolerance: write all, in LAMMPS by dump_modify … format "
+            "float %.17g."
         )
-    reading = deviation(finding)
     read_within = math.isnan(limit.reading) or reading <= limit.reading
     return {
         "step": finding.step,
