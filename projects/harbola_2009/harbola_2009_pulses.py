@@ -12,15 +12,13 @@ CONTACTS = slice(1, 61)  # those that the end does not reach
 SPEEDS = (0.2, 0.5, 1, 2, 4)
 
 
-def harbola_2009_pulses(pulses: xr.Dataset, losses: xr.Dataset) -> Figure:
+def harbola_2009_pulses(pulses: xr.Dataset) -> Figure:
     """Draw pulses along tapered chains and their loss against the taper.
 
     Parameters
     ----------
     pulses : xarray.Dataset
-        Compressions and times along several chains.
-    losses : xarray.Dataset
-        Loss of energy over that of binary collisions for several tapers.
+        Compressions and times along several chains, and losses for several tapers.
     """
     figure, panels = new_figure(2.5, [["speed", "compression", "loss"]])
     speed, compression, loss = panels.values()
@@ -34,7 +32,7 @@ def harbola_2009_pulses(pulses: xr.Dataset, losses: xr.Dataset) -> Figure:
         ratio = one["compression_of_collisions"] / one["compression"]
         compression.plot(one["contact"], ratio, color=color)
     for sign, marker, line, name in ((1, "o", ":", "heavier"), (-1, "s", "--", "lighter")):
-        side = losses.isel(taper=np.flatnonzero(sign * losses["taper"].values > 0))
+        side = pulses.isel(taper=np.flatnonzero(sign * pulses["taper"].values > 0))
         size = np.abs(side["taper"])
         loss.plot(size, side["loss_ratio"], f"k{marker}", label=f"to {name}")
         loss.plot(size, side["loss_ratio_theory"], f"k{line}", lw=0.6)
@@ -56,5 +54,4 @@ if __name__ == "__main__":
             snakemake.output,
             snakemake.params.shown,
             pulses=snakemake.input.pulses,
-            losses=snakemake.input.losses,
         )

@@ -6,26 +6,12 @@ from pydantic import Field
 
 from granular_fronts.scenes.beads import Taper
 from granular_fronts.scenes.chain import Tolerance
-from granular_fronts.scenes.parts import Distinct, Part
-
-
-class Pulses(Part):
-    """Chains of spheres whose radii have a taper."""
-
-    tapers: Annotated[dict[str, Taper], Field(min_length=1)]
-    beads: Annotated[int, Field(ge=3, le=1000)]
-    tolerance: Tolerance
-
-
-class Losses(Part):
-    """Values of ε, where each mass is exp(ε) times the one before."""
-
-    tapers: Annotated[Distinct[Annotated[float, Field(ge=-1, le=1)]], Field(min_length=1)]
-    tolerance: Tolerance
+from granular_fronts.scenes.parts import Listed, Part
 
 
 class TaperedChains(Part):
-    """Pulses in chains of several tapers, and their losses at smaller and smaller taper."""
+    """Chains of spheres whose radii have a taper, and ε where a mass is exp(ε) times the last."""
 
-    pulses: Pulses
-    losses: Losses
+    chains: Annotated[dict[str, Taper], Field(min_length=1)]
+    tapers: Listed[Annotated[float, Field(ge=-1, le=1)]]
+    tolerance: Tolerance

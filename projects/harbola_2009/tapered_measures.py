@@ -1,4 +1,4 @@
-"""Numbers measured on pulses in tapered chains, the datasets of `tapered_chains`."""
+"""Numbers measured on pulses in tapered chains, the dataset of `tapered_chains`."""
 
 from itertools import pairwise
 
@@ -23,28 +23,30 @@ def compression_over_exact(pulses, chain, contact):
     return Estimate(float(one["compression_of_collisions"]), 0.0) / exact
 
 
-def loss_less_mass(losses):
-    """Return the loss over that of binary collisions less m_*/m, for vanishing growth."""
-    mass = tabulated(losses, "mass_of_wave")
-    return _limit(
-        [tabulated(losses, "loss_ratio", taper=size) - mass for size in _smallest(losses)], 1.0
-    )
+def loss_of_vanishing_growth(pulses):
+    """Return the loss over that of binary collisions for vanishing growth."""
+    return _limit([tabulated(pulses, "loss_ratio", taper=size) for size in _smallest(pulses)], 1.0)
 
 
-def correction_over_theory(losses):
+def loss_less_mass(pulses):
+    """Return this loss less m_*/m."""
+    return loss_of_vanishing_growth(pulses) - tabulated(pulses, "mass_of_wave")
+
+
+def correction_over_theory(pulses):
     """Return the correction of the loss towards lighter beads over its theory, as it vanishes."""
-    mass = tabulated(losses, "mass_of_wave")
+    mass = tabulated(pulses, "mass_of_wave")
     ratios = []
-    for size in _smallest(losses):
-        theory = float(losses["loss_ratio_theory"].sel(taper=-size)) - mass.value
-        found = tabulated(losses, "loss_ratio", taper=-size)
+    for size in _smallest(pulses):
+        theory = float(pulses["loss_ratio_theory"].sel(taper=-size)) - mass.value
+        found = tabulated(pulses, "loss_ratio", taper=-size)
         ratios.append((found - mass) * (1.0 / theory))
     return _limit(ratios, 0.5)
 
 
-def _smallest(losses):
+def _smallest(pulses):
     """Return the three smallest sizes of ε, each half of the next."""
-    return losses["taper"].values[losses["taper"].values > 0.0][:3]
+    return pulses["taper"].values[pulses["taper"].values > 0.0][:3]
 
 
 def _limit(three, power):

@@ -253,6 +253,7 @@ BY_HAND = [
     (chain.openings, CHAIN, {}, 2.0, 0.0),
     (chain.openings_after_the_widest_gap, CHAIN, {}, 1.0, 0.0),
     (chain.peak_spread, CHAIN, {"beads": [2, 4, 8]}, 0.32, 2e-3 * 16),
+    (chain.peak_decay, CHAIN, {"first": 4, "last": 8}, math.log(9 / 7) / 4, 0.04 / 6.3),
     (chain.spacing_defect, CHAIN, {"beads": [2, 6, 8]}, 13 / 16, 2e-3 / 0.75),
     (chain.mean_compression, SWINGING, {}, 0.5, ANY),
     (chain.mean_compression, RISING, {}, math.nan, math.nan),

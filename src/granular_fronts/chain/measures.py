@@ -144,6 +144,13 @@ def peak_spread(dataset, beads):
     return (recorded(largest) - recorded(smallest)) / _applied_displacement(dataset)
 
 
+def peak_decay(dataset, first, last):
+    """Return the rate per bead at which the first peak of u falls from one contact to another."""
+    peaks = dataset["first_peak"]
+    ratio = recorded(peaks.sel(bead=first)) / recorded(peaks.sel(bead=last))
+    return Estimate(math.log(ratio.value), ratio.error / ratio.value) / (last - first)
+
+
 def spacing_defect(dataset, beads):
     """Return the largest relative deviation of times of travel between some beads from (21)."""
     arrival = dataset["arrival_time"].sel(bead=beads).values
