@@ -16,17 +16,14 @@ The integral of g vanishes by symmetry.  That u tends to 0 on both sides also ta
 .. math:: \int t\,g\,dt = 0, \qquad \hat u(\omega) = -\hat g(\omega)/\omega^2, \qquad
           \hat u(0) = \tfrac12 \int t^2 g\,dt .
 
-The first equation is one for ε: both beads of a cell are displaced as far, so that their contact
-ends as it began.  This happens for single ε only.
-Newton's method solves all of it for u and ε on a grid.  u decays super-exponentially and stays
-positive, so that trapezoidal sums converge exponentially.  Equal masses are the antiresonance ε =
-1.
+The first equation is one for ε, which holds for single ε only.  Newton's method solves all of it
+for u and ε on a grid.  u decays super-exponentially and stays positive, so that trapezoidal sums
+converge exponentially.  Equal masses are the antiresonance ε = 1.
 
 *Attenuation.*  A striker hits the chain.  Its pulse soon loses the same share with each cell, since
-the chain has no scale of its own.  This ends where other waves overtake it.  The rate a is the
-logarithm of the heights of two cells over their distance.  Where no wave is left unchanged, light
-beads ring behind the pulse.  Their velocity has a simple zero at an antiresonance, so that a has a
-double one, and the lines through ±√a cross there.  This finds it again, by the chain alone.  A
+the chain has no scale of its own, until other waves overtake it.  Light beads ring behind the
+pulse.  Their velocity has a simple zero at an antiresonance, so that the rate a of attenuation has
+a double one, and the lines through ±√a cross there.  This finds it again, by the chain alone.  A
 *resonance* is a largest a.
 
 *Spacing.*  As ε → 0 heavy beads move as if each second contact had the force F(w/2).  Each light
@@ -40,6 +37,7 @@ Errors.  ε by Newton's method: a finer grid, and rounding.  By the chain: the l
 points.  Rates and resonances: other cells, and half the steps.
 """
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -48,6 +46,7 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import minimize_scalar
 
 from granular_fronts.accuracy import EPSILON, Estimate, rounded, tabulated, variable_and_errors
+from granular_fronts.chain.measures import peak_decay
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import SolveError
 from granular_fronts.fronts.solitary_waves import solitary_wave
@@ -145,11 +144,9 @@ def strike(alpha, ratio, cells, tolerance, probes=()):
 
 def rates(alpha, ratio, cells, tolerance):
     """Return the attenuation per cell between each two successive ones of some cells."""
-    peaks = strike(alpha, ratio, cells[-1], tolerance)["first_peak"]
-    heights = peaks.sel(bead=[2 * cell + 1 for cell in cells])
-    distances = np.diff(cells)
-    error = 2.0 * peaks.attrs["error_estimate"] / heights.values[-1]
-    return [Estimate(rate, error / distances[-1]) for rate in -np.diff(np.log(heights)) / distances]
+    motion = strike(alpha, ratio, cells[-1], tolerance)
+    contacts = [2 * cell + 1 for cell in cells]
+    return [peak_decay(motion, first, last) * 2.0 for first, last in pairwise(contacts)]
 
 
 def guess_of_chain(alpha, ratio, cells, tolerance, points):
@@ -244,7 +241,6 @@ def _largest(both, which, middle, step):
     found = minimize_scalar(
         lambda place: -both(place)[which].value,
         bounds=(middle - step, middle + step),
-        method="bounded",
         options={"xatol": SOUGHT},
     )
     return found.x, -found.fun
@@ -263,15 +259,14 @@ def spacing(alpha):
     return Estimate(float(first), float(abs(first - second)))
 
 
-def antiresonances(found):
-    """Return how many waves were found that leave nothing behind."""
-    return Estimate(float(found.sizes["order"]), 0.0)
+def farthest_by_chain(found):
+    """Return the largest distance of an antiresonance by the chain from its wave, over its error.
 
-
-def apart(found, order):
-    """Return the mass ratio of an antiresonance by the chain less that of the wave."""
-    chain = tabulated(found, "antiresonance_of_chain", order=order)
-    return chain - tabulated(found, "antiresonance", order=order)
+    Its own error is that of the wave.
+    """
+    stated = found["antiresonance_of_chain_error"]
+    apart = abs(found["antiresonance_of_chain"] - found["antiresonance"]) / stated
+    return Estimate(float(apart.max()), float((found["antiresonance_error"] / stated).max()))
 
 
 def energy_lost(found, order, cells):

@@ -8,15 +8,9 @@ from granular_fronts.scenes.chain import Tolerance
 from granular_fronts.scenes.parts import Distinct, Part, Range
 
 
-class Ratios(Part):
+class Dimers(Part):
     """Inverse roots of the mass ratio, and cells between which the attenuation is measured."""
 
     roots: Range
     cells: Annotated[Distinct[Annotated[int, Field(ge=10, le=100)]], Field(min_length=3)]
     tolerance: Tolerance
-
-
-class Dimers(Part):
-    """Dimers that a heavy bead hits."""
-
-    ratios: Ratios

@@ -3,7 +3,6 @@
 from jayaprakash_2011_settings import Dimers
 
 DIMERS, DIMERS_OWN = project_settings("jayaprakash_2011", Dimers)
-DIMERS_SHOWN = {name: [DIMERS[name], DIMERS_OWN[name]] for name in DIMERS}
 
 
 rule find_dimer_ratios:
@@ -14,11 +13,9 @@ rule find_dimer_ratios:
         dataset="<results>/data/jayaprakash_2011/ratios.nc",
     params:
         code=code("dimer_ratios"),
-        settings=DIMERS["ratios"],
+        settings=DIMERS,
     log:
         "<logs>/jayaprakash_2011/ratios.log",
-    benchmark:
-        "<benchmarks>/jayaprakash_2011/ratios.tsv"
     conda:
         "../../workflow/envs/main.yaml"
     script:
@@ -34,11 +31,9 @@ rule jayaprakash_2011_ladder:
         **figure("jayaprakash_2011_ladder", "projects/jayaprakash_2011/captions"),
     params:
         code=code("jayaprakash_2011_ladder", "dimer_ratios"),
-        shown=DIMERS_SHOWN,
+        shown=dict(ratios=[DIMERS, DIMERS_OWN]),
     log:
         "<logs>/jayaprakash_2011/ladder.log",
-    benchmark:
-        "<benchmarks>/jayaprakash_2011/ladder.tsv"
     conda:
         "../../workflow/envs/main.yaml"
     script:
@@ -54,11 +49,9 @@ rule jayaprakash_2011_statements:
         **table("jayaprakash_2011_statements"),
     params:
         code=code("tabulate_statements", *measured_by("projects/jayaprakash_2011/statements.yaml")),
-        shown=DIMERS_SHOWN,
+        shown=dict(ratios=[DIMERS, DIMERS_OWN]),
     log:
         "<logs>/jayaprakash_2011/statements.log",
-    benchmark:
-        "<benchmarks>/jayaprakash_2011/statements.tsv"
     conda:
         "../../workflow/envs/main.yaml"
     script:
@@ -76,8 +69,6 @@ rule jayaprakash_2011:
         code=code("check_verdicts"),
     log:
         "<logs>/jayaprakash_2011/verdicts.log",
-    benchmark:
-        "<benchmarks>/jayaprakash_2011/verdicts.tsv"
     conda:
         "../../workflow/envs/main.yaml"
     localrule: True
