@@ -1,4 +1,4 @@
-r"""Fronts of the pulse behind an impact, and exact fronts of the same height.
+r"""Fronts behind an impact, exact fronts of the same height, and when there is one pulse.
 
 One bead strikes a chain at rest (:math:`m = v_0 = 1`), whose law is a power α and a dashpot, β = 1,
 that acts in contact.  At some contacts n the front is compared with theory.
@@ -17,15 +17,21 @@ at the contact.
 Momentum.  P is that of all beads that move forwards.  At small damping it exceeds that of the
 striker, since the first beads rebound.  `impact_pulse` gives the height.
 
+One pulse.  Two pulses are apart if, at some time, u has two maxima along the chain, of which the
+lower has a part of the higher.  This ceases at a damping, and at another one the front of a contact
+ceases to overshoot.
+
 Errors.  A time series is read from a cubic spline, and once more from a spline through every other
 point.  The error is the difference, and what the error of the chain's motion makes of it.  It does
 not say how far a front that sinks is from one that travels for ever: that is what is measured.
 """
 
+from functools import cache
+
 import numpy as np
 import xarray as xr
 from scipy.interpolate import CubicSpline
-from scipy.optimize import brentq, minimize_scalar
+from scipy.optimize import bisect, brentq
 
 from granular_fronts.accuracy import Estimate, variable_and_errors
 from granular_fronts.chain.simulate import simulate_chain
@@ -51,15 +57,25 @@ SAMPLES_PER_BEAD = 20.0
 SHOWN = np.linspace(-25.0, 6.0, 621)
 """ξ at which fronts are kept, in beads."""
 
-METHOD = "difference of splines through all and half the samples, and the error of the motion"
+METHOD = "half the samples, and the error of the motion"
+
+BETWEEN, SOUGHT = (0.07, 0.17), 1e-4
+"""Dampings between which pulses cease to be apart and fronts to overshoot, and how exactly."""
+
+CROSSED, STEP = 150, 0.1
+"""Contacts that an impact crosses in which two pulses are sought, and the step in time."""
+
+NEGLIGIBLE = 1e-3
+"""Compression of no pulse, below that of any front until CROSSED."""
 
 
-def follow_fronts(dampings, contacts, tolerance):
-    """Compare fronts at contacts with exact ones, for each damping.
+def follow_fronts(dampings, contacts, early_contacts, parts, tolerance):
+    """Compare fronts at contacts with exact ones, for each damping; find when there is one pulse.
 
     On (gamma, contact): `height`, `height_of_momentum`, `damping` in units of the front,
-    `overshoot` and `exact_overshoot`, each with its `…_error`; on (gamma, contact, xi): `front`,
-    `exact_front`, u over the height.
+    `overshoot` and `exact_overshoot`; on (gamma, contact, xi): `front`, `exact_front`, u over the
+    height.  Dampings, on (part): `one_pulse`; on (early_contact): `no_overshoot`.  Numbers have
+    `…_error`.
     """
     found = []
     for gamma in dampings:
@@ -70,15 +86,19 @@ def follow_fronts(dampings, contacts, tolerance):
     def all_of(name):
         return [[front[name] for front in fronts] for fronts in found]
 
-    variables = {}
-    for name, meaning in (
-        ("height", "height of the front by its speed, eq. (14)"),
-        ("height_of_momentum", "height of the front by the momentum of the pulse"),
-        ("damping", "damping in units of the front"),
-        ("overshoot", "overshoot of u at a contact over the height of the front"),
-        ("exact_overshoot", "overshoot of the exact front of the same damping"),
+    one_pulse = [one_pulse_from(part, tolerance) for part in parts]
+    no_overshoot = [no_overshoot_from(contact, tolerance) for contact in early_contacts]
+    variables, place = {}, ("gamma", "contact")
+    for name, dims, numbers, meaning in (
+        ("height", place, None, "height of the front by its speed, eq. (14)"),
+        ("height_of_momentum", place, None, "height of the front by the momentum of the pulse"),
+        ("damping", place, None, "damping in units of the front"),
+        ("overshoot", place, None, "overshoot of u at a contact over the height of the front"),
+        ("exact_overshoot", place, None, "overshoot of the exact front of the same damping"),
+        ("one_pulse", "part", one_pulse, "damping from which there is one pulse"),
+        ("no_overshoot", "early_contact", no_overshoot, "damping from which no front overshoots"),
     ):
-        variables |= variable_and_errors(name, ("gamma", "contact"), all_of(name), METHOD, meaning)
+        variables |= variable_and_errors(name, dims, numbers or all_of(name), METHOD, meaning)
     heights = np.array(all_of("height"))
     attributes = {
         "error_estimate": float((heights[..., 1] / heights[..., 0]).max()),
@@ -86,8 +106,14 @@ def follow_fronts(dampings, contacts, tolerance):
     }
     for name, meaning in (("front", "u of the chain"), ("exact_front", "u of the exact front")):
         words = {"long_name": f"{meaning} over the height"}
-        variables[name] = (("gamma", "contact", "xi"), np.array(all_of(name)), words | attributes)
-    coordinates = {"gamma": dampings, "contact": contacts, "xi": SHOWN}
+        variables[name] = ((*place, "xi"), np.array(all_of(name)), words | attributes)
+    coordinates = {
+        "gamma": dampings,
+        "contact": contacts,
+        "early_contact": ("early_contact", early_contacts, {"long_name": "number of the contact"}),
+        "part": ("part", parts, {"long_name": "least lower over higher maximum of two pulses"}),
+        "xi": SHOWN,
+    }
     return xr.Dataset(variables, coordinates, {"critical_damping": critical_damping(ALPHA, 1.0)})
 
 
@@ -118,10 +144,8 @@ def impact_scene(gamma, contacts, tolerance):
 
 def _compare(motion, gamma, contact, momentum):
     """Return what is known of the front at a contact."""
-    series = motion[f"relative_displacement_n{contact}"]
-    times, values = motion[f"t_n{contact}"].values, series.values
-    usual, coarse = (_read(times[::every], values[::every]) for every in (1, 2))
-    moved = _read(times, values + series.attrs["error_estimate"])
+    usual, coarse = (_read(motion, contact, every) for every in (1, 2))
+    moved = _read(motion, contact, error=1.0)
     error = {
         key: abs(usual[key] - coarse[key]) + abs(usual[key] - moved[key])
         for key in ("height", "peak")
@@ -130,45 +154,72 @@ def _compare(motion, gamma, contact, momentum):
     damping = height**-power * gamma
     exact = solve_front(ALPHA, damping.value, beta=1.0)
     clock = usual["time"] - SHOWN / height.value**power
-    u = CubicSpline(times, values[:, 1])(clock) / height.value
+    spline = usual["spline"]
     return {
         "height": height,
         "height_of_momentum": height_of_front(ALPHA, contact, momentum),
         "damping": damping,
         "overshoot": Estimate(usual["peak"], error["peak"]) / height - 1.0,
         "exact_overshoot": Estimate(exact.attrs["overshoot"], exact.attrs["overshoot_error"]),
-        "front": np.where(clock <= times[-1], u, np.nan),
+        "front": np.where(clock <= spline.x[-1], spline(clock) / height.value, np.nan),
         "exact_front": evaluate_front(exact, SHOWN),
     }
 
 
-def _read(times, values):
-    """Return height, peak and time of a front in the series of three contacts."""
-    splines = [CubicSpline(times, column) for column in values.T]
-    peaks = [_largest(spline) for spline in splines]
-    first, _, last = (
-        _passage(spline, 0.5 * peak) for spline, peak in zip(splines, peaks, strict=True)
-    )
+def _read(motion, contact, every=1, error=0.0):
+    """Return height, peak, time and spline of a front, with some times the error of the motion."""
+    series = motion[f"relative_displacement_n{contact}"]
+    values = series.values[::every] + error * series.attrs["error_estimate"]
+    splines = [CubicSpline(motion[f"t_n{contact}"][::every], column) for column in values.T]
+    peaks = [np.nanmax(one(one.derivative().roots(extrapolate=False))) for one in splines]
+    first, _, last = map(_passage, splines, 0.5 * np.array(peaks))
     height = (2.0 * REACH / (last - first)) ** (2.0 / (ALPHA - 1.0))
-    return {"height": height, "peak": peaks[1], "time": _passage(splines[1], 0.5 * height)}
-
-
-def _largest(spline):
-    """Return the largest value of a spline."""
-    high = spline.x[np.argmax(spline(spline.x))]
-    step = spline.x[1] - spline.x[0]
-    found = minimize_scalar(
-        lambda time: -spline(time),
-        bounds=(high - step, high + step),
-        options={"xatol": 1e-9 * step},
-    )
-    return -float(found.fun)
+    time = _passage(splines[1], 0.5 * height)
+    return {"height": height, "peak": peaks[1], "time": time, "spline": splines[1]}
 
 
 def _passage(spline, level):
     """Return when a spline first has a level."""
     after = np.argmax(spline(spline.x) >= level)
     return brentq(lambda time: spline(time) - level, spline.x[after - 1], spline.x[after])
+
+
+@cache
+def _crossing(gamma, **tolerance):
+    """Return u on (time, contact) until an impact has crossed CROSSED contacts."""
+    end = float(time_of_front(ALPHA, CROSSED, 1.0))
+    record = {"snapshots": [], "grid": {"step": STEP}}
+    scene = struck_chain((ALPHA, 1.0, gamma), 2 * CROSSED, end, tolerance, record)
+    return simulate_chain(scene, "impact")["relative_displacement_grid"].values
+
+
+def apart(u, part):
+    """Return whether at some time u has two maxima of which the lower has a part of the higher."""
+    inner = u[:, 1:-1]
+    tops = np.where((inner > u[:, :-2]) & (inner >= u[:, 2:]), inner, 0.0)
+    lower, higher = np.partition(tops, -2, axis=1)[:, -2:].T
+    return bool(np.any(lower > np.maximum(part * higher, NEGLIGIBLE)))
+
+
+def one_pulse_from(part, tolerance):
+    """Return the damping from which an impact makes one pulse."""
+    return _ceasing(lambda gamma, every: apart(_crossing(gamma, **tolerance)[::every], part) - 0.5)
+
+
+def no_overshoot_from(contact, tolerance):
+    """Return the damping from which the front does not overshoot at a contact."""
+
+    def excess(gamma, every):
+        front = _read(simulate_chain(impact_scene(gamma, [contact], tolerance)), contact, every)
+        return front["peak"] / front["height"] - 1.0
+
+    return _ceasing(excess)
+
+
+def _ceasing(excess):
+    """Return where a function of the damping passes 0, with all samples and with half of them."""
+    own, other = (bisect(excess, *BETWEEN, args=(every,), xtol=SOUGHT) for every in (1, 2))
+    return Estimate(own, abs(own - other) + SOUGHT)
 
 
 if __name__ == "__main__":

@@ -7,8 +7,9 @@ returns an `Estimate`.
 import math
 
 import numpy as np
+from scipy.signal import find_peaks
 
-from granular_fronts.accuracy import Estimate, rounded, tabulated
+from granular_fronts.accuracy import Estimate, estimate, rounded, tabulated
 from granular_fronts.fronts.solitary_waves import solitary_wave
 
 ALPHA = 1.5
@@ -17,30 +18,19 @@ ALPHA = 1.5
 APART = 5
 """Contacts on both sides between which the speed of a pulse is measured."""
 
-
-def _peak(motion, contact):
-    peaks = motion["first_peak"]
-    return Estimate(float(peaks.sel(bead=contact)), float(peaks.attrs["error_estimate"]))
-
-
-def decay_of_primary(motion, first, last):
-    """Return the rate per bead at which the compression of the primary pulse decays."""
-    ratio = _peak(motion, first) / _peak(motion, last)
-    return Estimate(math.log(ratio.value), ratio.error / ratio.value) / float(last - first)
+NEGLIGIBLE = 1e-6
+"""Velocity of no pulse."""
 
 
 def speed_of_primary(motion, contact):
     """Return its speed over that of the solitary wave of the same height."""
     times = motion["first_peak_time"]
-    error = float(times.attrs["error_estimate"])
-    passage = Estimate(
-        float(times.sel(bead=contact + APART) - times.sel(bead=contact - APART)), 2.0 * error
-    )
-    speed = rounded(2.0 * APART) / passage
-    highest = [solitary_wave(ALPHA, points).u.max() for points in (16, 32)]
-    height = _peak(motion, contact).value / highest[0]
-    theory = height ** (0.5 * (ALPHA - 1.0))
-    return speed / Estimate(theory, abs(highest[1] - highest[0]) * theory)
+    passage = float(times.sel(bead=contact + APART) - times.sel(bead=contact - APART))
+    speed = rounded(2.0 * APART) / Estimate(passage, 2.0 * times.attrs["error_estimate"])
+    highest = estimate(*(solitary_wave(ALPHA, points).u.max() for points in (16, 32)))
+    peaks = motion["first_peak"]
+    height = Estimate(float(peaks.sel(bead=contact)), peaks.attrs["error_estimate"]) / highest
+    return speed / height ** (0.5 * (ALPHA - 1.0))
 
 
 def persistence(motion, early, late):
@@ -49,29 +39,19 @@ def persistence(motion, early, late):
     Both by their largest velocities in the snapshots of two times.  The error is the change when
     the peak is that of a bead, not of a parabola through three.
     """
-    rates = []
-    for interpolate in (True, False):
-        primary, secondary = zip(
-            *(_two_peaks(motion, time, interpolate) for time in (early, late)), strict=True
-        )
-        rates.append(math.log(primary[0] / primary[1]) / math.log(secondary[0] / secondary[1]))
-    return Estimate(rates[0], abs(rates[0] - rates[1]))
+    primary, secondary = _peaks(motion, early) - _peaks(motion, late)
+    return estimate(*primary / secondary)
 
 
-def _two_peaks(motion, time, interpolate):
-    """Return the velocities of the two foremost maxima, those of beads or between beads."""
-    velocity = motion["velocity"].sel(t=time).values
-    inner = np.flatnonzero((velocity[1:-1] > velocity[:-2]) & (velocity[1:-1] >= velocity[2:])) + 1
-    return [
-        _top(velocity[place - 1 : place + 2]) if interpolate else velocity[place]
-        for place in inner[velocity[inner] > 1e-6][-1:-3:-1]
-    ]
-
-
-def _top(three):
-    """Return the largest value of the parabola of three logarithms."""
-    before, middle, after = np.log(three)
-    return math.exp(middle - (after - before) ** 2 / (8.0 * (before + after - 2.0 * middle)))
+def _peaks(motion, time):
+    """Return logarithms of the two foremost maxima of the velocity, between beads and of a bead."""
+    logarithm = np.log(np.maximum(motion["velocity"].sel(t=time).values, NEGLIGIBLE))
+    peaks = []
+    for place in find_peaks(logarithm)[0][-1:-3:-1]:
+        ahead, middle, behind = logarithm[place - 1 : place + 2]
+        rise = (behind - ahead) ** 2 / (8.0 * (2.0 * middle - ahead - behind))
+        peaks.append([middle + rise, middle])
+    return np.array(peaks)
 
 
 def sound_behind(motion, time, contact):
@@ -80,6 +60,12 @@ def sound_behind(motion, time, contact):
     speed = math.sqrt(ALPHA) * max(float(u), 0.0) ** (0.5 * (ALPHA - 1.0))
     error = float(motion["relative_displacement"].attrs["error_estimate"])
     return Estimate(speed, 0.25 * speed * error / max(float(u), error))
+
+
+def one_pulse_over_no_overshoot(fronts, part, contact):
+    """Return the damping from which there is one pulse over that from which no front overshoots."""
+    one_pulse = tabulated(fronts, "one_pulse", part=part)
+    return one_pulse / tabulated(fronts, "no_overshoot", early_contact=contact)
 
 
 def overshoot_less_exact(fronts, gamma, contact):

@@ -6,39 +6,28 @@ which is a jump.  Behind it compression u and velocity v obey the long-wave limi
 
 .. math:: m\,\partial_t v + \partial_n u^\alpha = 0, \qquad \partial_t u + \partial_n v = 0 .
 
-The first is a conservation law, and the struck end is free, so that the momentum
-:math:`P = m v_0` stays.  With :math:`z = n/N`, where N is the place of the front, and
+The momentum :math:`P = m v_0` stays, since the struck end is free.  Let N be the place of the
+front, :math:`z = n/N`, and by (12) and (14)
 
 .. math:: u = \delta\,U(z), \quad v = c\,\delta\,V(z), \quad U(1) = V(1) = 1, \quad
-          m c^2 = \delta^{\alpha - 1}, \quad \dot N = c
+          m c^2 = \delta^{\alpha - 1}, \quad \dot N = c .
 
-by (12) and (14), the height follows from the momentum, with :math:`G = \int_0^1 V\,dz`:
+With :math:`G = \int_0^1 V\,dz` and m = 1 the momentum :math:`c\,\delta\,N\,G = P` gives
 
-.. math:: m\,c\,\delta\,N\,G = P
-          \quad\Rightarrow\quad \delta = \Bigl(\frac{P}{G N}\Bigr)^{2/(\alpha + 1)}
-          \text{ for } m = 1, \qquad
+.. math:: \delta = \Bigl(\frac{P}{G N}\Bigr)^{2/(\alpha + 1)}, \qquad
           t = \frac{\alpha + 1}{2\alpha}\,\frac Nc .
 
-The first equation integrates to :math:`z V = U^\alpha`.  The second then becomes, with
-:math:`a = 2/(\alpha+1)` and :math:`w = U^{\alpha-1} z^{-2}`,
+The first equation integrates to :math:`z V = U^\alpha`.  With :math:`w = U^{\alpha-1} z^{-2}`,
+which grows from 1 at the front to infinity at the struck end, the second one becomes
 
 .. math::
 
-    \frac{d \ln U}{d \ln z} = \frac{a + w}{\alpha w - 1}, \qquad
     \frac{d \ln z}{d \ln w} = -\frac{\alpha w - 1}{(\alpha + 1)(w - w_*)}, \qquad
-    w_* = \frac{4\alpha}{(\alpha + 1)^2} < 1 .
+    w_* = \frac{4\alpha}{(\alpha + 1)^2}, \qquad
+    z = w^{-A} \Bigl(\frac{w - w_*}{1 - w_*}\Bigr)^{-B} ,
 
-w grows from 1 at the front to infinity at the struck end, and by partial fractions
-
-.. math::
-
-    z = w^{-A} \Bigl(\frac{w - w_*}{1 - w_*}\Bigr)^{-B}, \qquad
-    A = \frac{\alpha + 1}{4\alpha}, \qquad B = \frac{\alpha w_* - 1}{(\alpha + 1) w_*}, \qquad
-    A + B = \frac{\alpha}{\alpha + 1} .
-
-There is no free constant.  Neither the damping nor its law enters, as long as the front stays
-narrow.  For α = 3/2 the front's height decays as :math:`N^{-4/5}` and its velocity as
-:math:`N^{-1}`.
+with :math:`A = (\alpha + 1)/(4\alpha)` and :math:`A + B = \alpha/(\alpha + 1)`.  There is no free
+constant, and neither the damping nor its law enters, as long as the front stays narrow.
 """
 
 import numpy as np
@@ -56,7 +45,7 @@ def shape_of_pulse(alpha, w):
     w = np.asarray(w, dtype=float)
     critical = 4.0 * alpha / (alpha + 1.0) ** 2
     A = (alpha + 1.0) / (4.0 * alpha)
-    B = (alpha * critical - 1.0) / ((alpha + 1.0) * critical)
+    B = alpha / (alpha + 1.0) - A
     z = w**-A * ((w - critical) / (1.0 - critical)) ** -B
     U = (w * z * z) ** (1.0 / (alpha - 1.0))
     return z, U, U**alpha / z

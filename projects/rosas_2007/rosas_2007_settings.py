@@ -5,14 +5,18 @@ from typing import Annotated
 from pydantic import Field
 
 from granular_fronts.scenes.chain import Chain, Tolerance
-from granular_fronts.scenes.parts import Distinct, Part, Positive
+from granular_fronts.scenes.parts import Listed, Part, Positive
+
+Contact = Annotated[int, Field(ge=100, le=10_000)]
 
 
 class Fronts(Part):
-    """Strengths γ of the viscous force, and contacts at which fronts are compared."""
+    """Strengths γ of the viscous force, contacts, and what counts as two pulses."""
 
-    dampings: Annotated[Distinct[Positive], Field(min_length=1)]
-    contacts: Annotated[Distinct[Annotated[int, Field(ge=100, le=10_000)]], Field(min_length=1)]
+    dampings: Listed[Positive]
+    contacts: Listed[Contact]
+    early_contacts: Listed[Contact]
+    parts: Listed[Annotated[float, Field(ge=0.1, lt=1)]]
     tolerance: Tolerance
 
 

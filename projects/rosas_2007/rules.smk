@@ -17,8 +17,6 @@ rule rosas_2007_impact:
         scene=lambda wildcards: ROSAS[wildcards.scene],
     log:
         "<logs>/rosas_2007/{scene}.log",
-    benchmark:
-        "<benchmarks>/rosas_2007/{scene}.tsv"
     conda:
         "../../workflow/envs/main.yaml"
     wildcard_constraints:
@@ -28,7 +26,7 @@ rule rosas_2007_impact:
 
 
 rule follow_impact_fronts:
-    """Fronts far behind an impact, and exact fronts of the same damping."""
+    """Fronts far behind an impact, exact fronts of the same damping, and when there is one pulse."""
     input:
         kernels("chain", "fronts"),
     output:
@@ -38,8 +36,6 @@ rule follow_impact_fronts:
         settings=ROSAS["fronts"],
     log:
         "<logs>/rosas_2007/fronts.log",
-    benchmark:
-        "<benchmarks>/rosas_2007/fronts.tsv"
     conda:
         "../../workflow/envs/main.yaml"
     script:
@@ -47,45 +43,24 @@ rule follow_impact_fronts:
 
 
 rule rosas_2007_pulses:
-    """Velocities behind an impact, for three dampings."""
+    """Velocities behind an impact, and fronts of chains on exact fronts."""
     input:
         weak="<results>/data/rosas_2007/weak.nc",
         medium="<results>/data/rosas_2007/medium.nc",
         strong="<results>/data/rosas_2007/strong.nc",
+        fronts="<results>/data/rosas_2007/fronts.nc",
         texts="projects/rosas_2007/captions/rosas_2007_pulses.rst",
     output:
         **figure("rosas_2007_pulses", "projects/rosas_2007/captions"),
     params:
-        code=code("rosas_2007_pulses", "initiate_front"),
+        code=code("rosas_2007_pulses", "initiate_front", "impact_fronts"),
         shown=ROSAS_SHOWN,
     log:
         "<logs>/rosas_2007/pulses.log",
-    benchmark:
-        "<benchmarks>/rosas_2007/pulses.tsv"
     conda:
         "../../workflow/envs/main.yaml"
     script:
         "rosas_2007_pulses.py"
-
-
-rule rosas_2007_fronts:
-    """Fronts of chains on exact fronts."""
-    input:
-        fronts="<results>/data/rosas_2007/fronts.nc",
-        texts="projects/rosas_2007/captions/rosas_2007_fronts.rst",
-    output:
-        **figure("rosas_2007_fronts", "projects/rosas_2007/captions"),
-    params:
-        code=code("rosas_2007_fronts", "impact_fronts"),
-        shown=ROSAS_SHOWN,
-    log:
-        "<logs>/rosas_2007/figure_fronts.log",
-    benchmark:
-        "<benchmarks>/rosas_2007/figure_fronts.tsv"
-    conda:
-        "../../workflow/envs/main.yaml"
-    script:
-        "rosas_2007_fronts.py"
 
 
 rule rosas_2007_statements:
@@ -100,8 +75,6 @@ rule rosas_2007_statements:
         shown=ROSAS_SHOWN,
     log:
         "<logs>/rosas_2007/statements.log",
-    benchmark:
-        "<benchmarks>/rosas_2007/statements.tsv"
     conda:
         "../../workflow/envs/main.yaml"
     script:
@@ -109,9 +82,9 @@ rule rosas_2007_statements:
 
 
 rule rosas_2007:
-    """Two pulses behind an impact, with figures and verdicts; a minute."""
+    """Two pulses behind an impact, with a figure and verdicts; a minute."""
     input:
-        figures=[rules.rosas_2007_pulses.output, rules.rosas_2007_fronts.output],
+        figures=rules.rosas_2007_pulses.output,
         tables=[rules.rosas_2007_statements.output.csv],
     output:
         verdict="<results>/rosas_2007.txt",
@@ -119,8 +92,6 @@ rule rosas_2007:
         code=code("check_verdicts"),
     log:
         "<logs>/rosas_2007/verdicts.log",
-    benchmark:
-        "<benchmarks>/rosas_2007/verdicts.tsv"
     conda:
         "../../workflow/envs/main.yaml"
     localrule: True
