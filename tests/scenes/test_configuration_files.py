@@ -47,6 +47,7 @@ TODA = {"elastic": {"kind": "toda", "rate": 2}}
         ("boundary", PRESSURE, {"left": 2}, PRESSURE | {"left": 2}),
         ("law", {"alpha": 1.5, "gamma": 0.1}, TODA, TODA),
         ("law", TODA, {"alpha": 2}, {"alpha": 2}),
+        ("law", {"alpha": 1.5}, {"viscous": None}, {"viscous": None}),
         ("law", {"alpha": 1.5, "gamma": 0.1}, {"gamma": 1}, {"alpha": 1.5, "gamma": 1}),
         ("law", TODA, {"elastic": {"rate": 1}}, {"elastic": {"kind": "toda", "rate": 1}}),
         ("force", {"pulse": {"height": 1}}, {"table": {"times": [0]}}, {"table": {"times": [0]}}),

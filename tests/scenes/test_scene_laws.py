@@ -147,6 +147,14 @@ def test_sizes_of_a_law_are_the_same_in_both_forms(velocity, size):
     assert loads == pytest.approx([size / 1.5] * 2, abs=0.1)
 
 
+def test_beyond_the_interval_of_a_law_there_is_no_front_and_a_constant_is_no_energy():
+    shifted = gf.Potential(np.cosh, np.sinh, np.cosh, interval=(-3, 3))
+    one, other = (gf.make_law(elastic=elastic) for elastic in (cosh(), shifted))
+    assert front_speed(other, 1.0) == 0.0 < front_speed(other, 0.0)
+    assert decades_of_impact(one, 0.01) == decades_of_impact(other, 0.01) < -1.0
+    assert decades_of_energy(other, -2.0) == pytest.approx(decades_of_energy(one, -2.0))
+
+
 STRIKER = {"kind": "striker", "beads": 1, "velocity": 9.0}
 
 
