@@ -9,12 +9,11 @@ it is written:
 - `column`: in this row, ``computed`` by default;
 - `times`: a factor, 100 for per cent; optional;
 - `form`: a format of Python, ``.3f`` for example; an exponent is written as a power of ten;
-- `test`: in place of all others, the test that computes the number and holds the page to it;
 - `bound`: in place of `form`, what the number and its numerical error together stay below; a page
   that says "within 10⁻⁶" states such a bound.
 
-The build of the manual fills in the numbers of the run that it shows.  To bring the pages
-themselves up to date: python docs/measured.py
+The names at its end, `by_tests`, are of numbers that a test computes and holds the page to.
+To bring the pages up to date: python docs/measured.py
 """
 
 import re

@@ -80,17 +80,20 @@ def project(tmp_path_factory):
     copy = lend_kernels(copy_project(tmp_path_factory.mktemp("project")))
     written = carry_out(copy, "Five files", page=PAGE)
     assert len(written) <= 5
+    written |= carry_out(copy, "A figure of it", page=PAGE)
     assert all(name.startswith("projects/author_2026/") for name in written)
     return copy
 
 
 @pytest.mark.slow
 def test_a_project_is_added_as_the_page_says(project):
-    assert commands(PAGE) == ["snakemake -c2 author_2026"]
-    outcome = snakemake("author_2026", folder=project)
+    assert commands(PAGE) == ["snakemake -c2 author_2026", "snakemake -c2 author_2026_wave"]
+    outcome = snakemake("author_2026", "author_2026_wave", folder=project)
     assert outcome.returncode == 0, outcome.stderr
     verdict = (project / "results/author_2026.txt").read_text(encoding="utf-8")
     assert verdict == "All 1 verdicts are the expected ones.\n"
+    caption = (project / "results/figures/author_2026_wave.rst").read_text(encoding="utf-8")
+    assert "t = 40" in caption
 
 
 @pytest.mark.slow
