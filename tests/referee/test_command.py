@@ -24,7 +24,7 @@ from projects import ROOT
 
 PROBLEMS = load_problems()
 FRONT, WAVE = "front_steel_viscoelastic", "solitary_wave_undamped_hertz"
-COLLISION = "collision_steel_viscoelastic"
+COLLISION, PLATE = "collision_steel_viscoelastic", "plate_steel_dashpot"
 
 
 @functools.cache
@@ -52,7 +52,7 @@ def table(folder, name, step, result):
 @pytest.mark.parametrize(
     ("name", "scheme", "change", "judged_by", "expected"),
     [
-        *((name, scheme, {}, scheme, 0) for name in (FRONT, WAVE) for scheme in SCHEMES),
+        *((name, scheme, {}, scheme, 0) for name in (FRONT, WAVE, PLATE) for scheme in SCHEMES),
         (FRONT, "predicted_verlet", {}, "lagged_verlet", 0),
         # Without damping the lag is not there, and half a step in the velocities is.
         (WAVE, "lagged_verlet", {}, "predicted_verlet", 0),
