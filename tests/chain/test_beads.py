@@ -22,15 +22,21 @@ def hanging(law, gravity, **changes):
 
 @pytest.mark.parametrize("law", [{"alpha": 1.5, "beta": 1.5, "gamma": 0.2}, TODA])
 def test_a_chain_in_equilibrium_stays_at_rest(law):
-    """Every contact bears the weight above it, Σ m_k g, with the factor of its stiffness."""
-    beads, contacts = {"count": 12, "mass": MASSES}, {"elastic": FACTORS}
-    motion = solve(hanging(law, 0.05, beads=beads, contacts=contacts)).dataset.isel(t=-1)
+    """Every contact bears the weight above it, Σ m_k g, with the factor of its stiffness.
+
+    A striker hits such a chain.
+    """
+    unlike = {"beads": {"count": 12, "mass": MASSES}, "contacts": {"elastic": FACTORS}}
+    motion = solve(hanging(law, 0.05, **unlike)).dataset.isel(t=-1)
     np.testing.assert_array_equal(motion["mass"], np.tile(MASSES["cell"], 6))
     u, velocity = motion["relative_displacement"].values, motion["velocity"]
     np.testing.assert_allclose(velocity, 0.0, atol=1.0e-13)
     weight = 0.05 * np.cumsum(motion["mass"].values) / np.tile(FACTORS["cell"], 6)
     force = -gf.make_law(**law).elastic.first(-u)
     np.testing.assert_allclose(force, weight, rtol=1.0e-12)
+    unlike |= {"start": {"kind": "striker", "beads": 1, "velocity": 1.0}}
+    struck = last_state(hanging(law, 0.05, record={"snapshots": [0.0]}, **unlike))
+    np.testing.assert_allclose(struck, [*u, 1.0, *[0.0] * 11], atol=1.0e-12)
 
 
 def test_equilibrium_is_on_the_branch_that_begins_at_rest():

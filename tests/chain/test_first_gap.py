@@ -68,6 +68,13 @@ def test_the_first_gap_is_that_of_newtons_law(boundary, start, gravity, gamma):
     assert int(motion["first_gap_bead"]) == contact
 
 
+def test_a_pull_that_sets_in_later_opens_the_first_contact_then():
+    late = {"pulse": {"height": 0.1, "duration": 1.0, "offset": -0.1}}
+    scene = driven_scene(0.1, 5, 3.0, boundary={"kind": "force", "force": late, "right": 0.0})
+    motion = gf.simulate_chain(scene | {"record": {"snapshots": [], "extremes": True}})
+    assert (motion["first_gap_time"], motion["first_gap_bead"]) == (1.0, 1.0)
+
+
 def test_a_contact_that_separates_from_touch_exerts_nothing():
     """With β = 1 its dashpot would pull: G'(u) is γ on one side of 0, and 0 on the other."""
     sensors = {"between": {"contacts": [1], "start": 0.0, "stop": 1.0, "step": 0.5}}
