@@ -158,6 +158,9 @@ def test_units_of_steel_beads_are_those_of_the_chain(tmp_path):
     delta = (si["mass"] * si["velocity"] ** 2 / si["stiffness"]) ** 0.4
     assert si["displacement"] == pytest.approx(delta, rel=1e-13)
     # A time over δ/v, and a damping γ_0 in such times, have no unit.
+    # A sphere of mass 1/2 at the velocity v, by Hertz.
+    v = plain["velocity"]
+    assert plain["collision_time"] == pytest.approx(2.94328 * (0.625 * v**2) ** 0.4 / v, rel=1e-5)
     for name in ("collision_time", "end_time", "interval", "damping"):
         ratio, expected = (one[name] * one["velocity"] / one["displacement"] for one in (si, plain))
         assert ratio == pytest.approx(expected, rel=1e-13)

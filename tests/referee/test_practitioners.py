@@ -13,8 +13,8 @@ from result_files import write_dump, write_table
 
 from granular_fronts.referee.answers import solve
 from granular_fronts.referee.assessment import find, observed_order, report
+from granular_fronts.referee.decks import write_decks
 from granular_fronts.referee.files import write_case, write_problems
-from granular_fronts.referee.lammps_deck import write_deck
 from granular_fronts.referee.lammps_run import run_lammps
 from granular_fronts.referee.problems import load_problems
 from granular_fronts.referee.tolerances import move
@@ -108,17 +108,15 @@ def test_two_files_are_a_test(scheme, passes, tmp_path, monkeypatch):
 
 
 @needs_lammps
-@pytest.mark.parametrize("older", ["", "gran/hertz/history"])
 @pytest.mark.parametrize("name", ["solitary_wave_undamped_hertz", "front_steel_viscoelastic"])
-def test_lammps_moves_beads_as_our_scheme_does(name, older):
-    """By two styles of contacts, the older one with the page's K_n = 2 and γ_n = 6γ."""
+def test_older_style_of_lammps_moves_beads_alike(name):
+    """With the page's K_n = 2 and γ_n = 6γ."""
     problem = PROBLEMS[name]
-    deck = write_deck(problem.name, problem.title, problem.scene, problem.interval)
-    if older:
-        style = f"{older} 2 0 {6.0 * problem.scene.law.gamma!r} 0 0 0"
-        granular = '"pair_style granular" "pair_coeff * * ${law}"'
-        deck = deck.replace(granular, f'"pair_style {style}" "pair_coeff * *"')
-    assert older in deck
+    style = f"gran/hertz/history 2 0 {6.0 * problem.scene.law.gamma!r} 0 0 0"
+    granular = '"pair_style granular" "pair_coeff * * ${law}"'
+    deck = write_decks(problem)["lammps.in"]
+    assert granular in deck
+    deck = deck.replace(granular, f'"pair_style {style}" "pair_coeff * *"')
     found, _ = run_lammps(LAMMPS, problem.name, deck, 0.1)
     ours = move(problem, 0.1)
     np.testing.assert_allclose(found.v, ours.v, rtol=0, atol=1e-12)
