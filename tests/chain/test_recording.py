@@ -214,6 +214,27 @@ def test_a_first_peak_is_seen_where_u_turns_again_within_the_step():
     assert within >= 10
 
 
+def test_a_first_peak_comes_after_the_arrival():
+    r"""Two linear contacts, u_1 = 1 + 0.1 (sin τ − sin √3τ): a maximum below the level is none."""
+    fast, begin = np.sqrt(3.0), 8.0
+    tau = begin + np.linspace(0.0, 12.0, 12001)
+    slow, quick = 0.1 * np.sin(tau), 0.1 * np.sin(fast * tau)
+    u = 1.0 + slow - quick
+    low, high, *_ = 1 + np.flatnonzero((u[1:-1] > u[:-2]) & (u[1:-1] >= u[2:]))
+    assert u[low] < u[high] - 0.01
+    slow_rate, quick_rate = 0.1 * np.cos(begin), 0.1 * fast * np.cos(fast * begin)
+    start = given(
+        np.array([u[0], 1.0 + slow[0] + quick[0]]),
+        [slow_rate - quick_rate, 0.0, -slow_rate - quick_rate],
+    )
+    held = {"kind": "pressure", "left": 1.0, "right": 1.0}
+    record = {"snapshots": [], "extremes": True, "arrival_level": 0.5 * (u[low] + u[high])}
+    scene = driven_scene(0.0, 3, 12.0, 1.0, boundary=held, start=start, record=record)
+    found = solve(scene, {"relative": 1e-9, "absolute": 1e-11}).dataset
+    assert float(found["first_peak"][0]) == pytest.approx(u[high], abs=1e-7)
+    assert float(found["first_peak_time"][0]) == pytest.approx(tau[high] - begin, abs=1e-3)
+
+
 def test_no_turns_are_seen_in_the_steep_foot_of_a_front():
     """There u grows by orders of magnitude within a step, and the cubic through its ends swings."""
     record = {"snapshots": [], "extremes": True, "arrival_level": 0.05}
