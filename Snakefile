@@ -60,6 +60,9 @@ for name in PROJECTS:
     include: PROJECTS[name]
 
 
+include: "workflow/rules/projects.smk"
+
+
 rule all:
     """Figures, tables, the tests of all finished files, and the report: what takes seconds."""
     default_target: True

@@ -3,6 +3,7 @@
 from harbola_2009_settings import TaperedChains
 
 HARBOLA, HARBOLA_OWN = project_settings("harbola_2009", TaperedChains)
+JUDGED["harbola_2009"] = {"pulses": [HARBOLA, HARBOLA_OWN]}
 
 
 rule follow_tapered_pulses:
@@ -31,7 +32,7 @@ rule harbola_2009_pulses:
         **figure("harbola_2009_pulses", "projects/harbola_2009/captions"),
     params:
         code=code("harbola_2009_pulses", "tapered_chains"),
-        shown=dict(pulses=[HARBOLA, HARBOLA_OWN]),
+        shown=JUDGED["harbola_2009"],
     log:
         "<logs>/harbola_2009/figure_pulses.log",
     conda:
@@ -40,37 +41,8 @@ rule harbola_2009_pulses:
         "harbola_2009_pulses.py"
 
 
-rule harbola_2009_statements:
-    """A sentence of the abstract, and findings, with verdicts."""
-    input:
-        statements="projects/harbola_2009/statements.yaml",
-        datasets=data("harbola_2009/pulses"),
-    output:
-        **table("harbola_2009_statements"),
-    params:
-        code=code("tabulate_statements", *measured_by("projects/harbola_2009/statements.yaml")),
-        shown=dict(pulses=[HARBOLA, HARBOLA_OWN]),
-    log:
-        "<logs>/harbola_2009/statements.log",
-    conda:
-        "../../workflow/envs/main.yaml"
-    script:
-        "../../workflow/scripts/tabulate_statements.py"
-
-
 rule harbola_2009:
     """Pulses in tapered chains, with a figure and verdicts; half a minute."""
     input:
-        figures=rules.harbola_2009_pulses.output,
-        tables=[rules.harbola_2009_statements.output.csv],
-    output:
-        verdict="<results>/harbola_2009.txt",
-    params:
-        code=code("check_verdicts"),
-    log:
-        "<logs>/harbola_2009/verdicts.log",
-    conda:
-        "../../workflow/envs/main.yaml"
-    localrule: True
-    script:
-        "../../workflow/scripts/check_verdicts.py"
+        rules.harbola_2009_pulses.output,
+        "<results>/harbola_2009.txt",

@@ -3,6 +3,7 @@
 from jayaprakash_2011_settings import Dimers
 
 DIMERS, DIMERS_OWN = project_settings("jayaprakash_2011", Dimers)
+JUDGED["jayaprakash_2011"] = {"ratios": [DIMERS, DIMERS_OWN]}
 
 
 rule find_dimer_ratios:
@@ -31,7 +32,7 @@ rule jayaprakash_2011_ladder:
         **figure("jayaprakash_2011_ladder", "projects/jayaprakash_2011/captions"),
     params:
         code=code("jayaprakash_2011_ladder", "dimer_ratios"),
-        shown=dict(ratios=[DIMERS, DIMERS_OWN]),
+        shown=JUDGED["jayaprakash_2011"],
     log:
         "<logs>/jayaprakash_2011/ladder.log",
     conda:
@@ -40,37 +41,8 @@ rule jayaprakash_2011_ladder:
         "jayaprakash_2011_ladder.py"
 
 
-rule jayaprakash_2011_statements:
-    """Sentences of both papers, and mass ratios, with verdicts."""
-    input:
-        statements="projects/jayaprakash_2011/statements.yaml",
-        datasets=data("jayaprakash_2011/ratios"),
-    output:
-        **table("jayaprakash_2011_statements"),
-    params:
-        code=code("tabulate_statements", *measured_by("projects/jayaprakash_2011/statements.yaml")),
-        shown=dict(ratios=[DIMERS, DIMERS_OWN]),
-    log:
-        "<logs>/jayaprakash_2011/statements.log",
-    conda:
-        "../../workflow/envs/main.yaml"
-    script:
-        "../../workflow/scripts/tabulate_statements.py"
-
-
 rule jayaprakash_2011:
     """Mass ratios of dimers, with a figure and verdicts; a minute."""
     input:
-        figures=rules.jayaprakash_2011_ladder.output,
-        tables=[rules.jayaprakash_2011_statements.output.csv],
-    output:
-        verdict="<results>/jayaprakash_2011.txt",
-    params:
-        code=code("check_verdicts"),
-    log:
-        "<logs>/jayaprakash_2011/verdicts.log",
-    conda:
-        "../../workflow/envs/main.yaml"
-    localrule: True
-    script:
-        "../../workflow/scripts/check_verdicts.py"
+        rules.jayaprakash_2011_ladder.output,
+        "<results>/jayaprakash_2011.txt",

@@ -3,7 +3,7 @@
 from rosas_2007_settings import Impacts
 
 ROSAS, ROSAS_OWN = project_settings("rosas_2007", Impacts)
-ROSAS_SHOWN = {name: [ROSAS[name], ROSAS_OWN[name]] for name in ROSAS}
+JUDGED["rosas_2007"] = {name: [ROSAS[name], ROSAS_OWN[name]] for name in ROSAS}
 
 
 rule rosas_2007_impact:
@@ -54,7 +54,7 @@ rule rosas_2007_pulses:
         **figure("rosas_2007_pulses", "projects/rosas_2007/captions"),
     params:
         code=code("rosas_2007_pulses", "initiate_front", "impact_fronts"),
-        shown=ROSAS_SHOWN,
+        shown=JUDGED["rosas_2007"],
     log:
         "<logs>/rosas_2007/pulses.log",
     conda:
@@ -63,37 +63,8 @@ rule rosas_2007_pulses:
         "rosas_2007_pulses.py"
 
 
-rule rosas_2007_statements:
-    """Sentences of both abstracts, and findings, with verdicts."""
-    input:
-        statements="projects/rosas_2007/statements.yaml",
-        datasets=data("rosas_2007/weak", "rosas_2007/fronts"),
-    output:
-        **table("rosas_2007_statements"),
-    params:
-        code=code("tabulate_statements", *measured_by("projects/rosas_2007/statements.yaml")),
-        shown=ROSAS_SHOWN,
-    log:
-        "<logs>/rosas_2007/statements.log",
-    conda:
-        "../../workflow/envs/main.yaml"
-    script:
-        "../../workflow/scripts/tabulate_statements.py"
-
-
 rule rosas_2007:
     """Two pulses behind an impact, with a figure and verdicts; a minute."""
     input:
-        figures=rules.rosas_2007_pulses.output,
-        tables=[rules.rosas_2007_statements.output.csv],
-    output:
-        verdict="<results>/rosas_2007.txt",
-    params:
-        code=code("check_verdicts"),
-    log:
-        "<logs>/rosas_2007/verdicts.log",
-    conda:
-        "../../workflow/envs/main.yaml"
-    localrule: True
-    script:
-        "../../workflow/scripts/check_verdicts.py"
+        rules.rosas_2007_pulses.output,
+        "<results>/rosas_2007.txt",

@@ -93,6 +93,10 @@ def table(stem):
     return {"csv": f"<results>/tables/{stem}.csv", "markdown": f"<results>/tables/{stem}.md"}
 
 
+JUDGED = {}
+"""For each project with statements its scenes, as they are computed and as its config.yaml says."""
+
+
 def project_settings(name, part):
     """Return the settings of a project as they are computed, and those of its own config.yaml.
 

@@ -1,0 +1,44 @@
+"""What projects have in common: statements on their datasets, and their verdicts."""
+
+
+rule project_statements:
+    """Statements of a project with computed numbers, errors and verdicts."""
+    input:
+        statements="projects/{project}/statements.yaml",
+        datasets=lambda wildcards: data(
+            *(f"{wildcards.project}/{scene}" for scene in JUDGED[wildcards.project])
+        ),
+    output:
+        **table("{project}_statements"),
+    params:
+        code=lambda wildcards, input: digest_of(
+            "tabulate_statements", *measured_by(input.statements)
+        ),
+        shown=lambda wildcards: JUDGED[wildcards.project],
+    log:
+        "<logs>/{project}/statements.log",
+    conda:
+        "../envs/main.yaml"
+    wildcard_constraints:
+        project="|".join(JUDGED),
+    script:
+        "../scripts/tabulate_statements.py"
+
+
+rule project_verdicts:
+    """Whether each verdict is the expected one."""
+    input:
+        tables=["<results>/tables/{project}_statements.csv"],
+    output:
+        verdict="<results>/{project}.txt",
+    params:
+        code=code("check_verdicts"),
+    log:
+        "<logs>/{project}/verdicts.log",
+    conda:
+        "../envs/main.yaml"
+    wildcard_constraints:
+        project="|".join(JUDGED),
+    localrule: True
+    script:
+        "../scripts/check_verdicts.py"
