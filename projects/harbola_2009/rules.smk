@@ -4,23 +4,7 @@ from harbola_2009_settings import TaperedChains
 
 HARBOLA, HARBOLA_OWN = project_settings("harbola_2009", TaperedChains)
 JUDGED["harbola_2009"] = {"pulses": [HARBOLA, HARBOLA_OWN]}
-
-
-rule follow_tapered_pulses:
-    """Pulses along tapered chains with binary collisions, and their losses at smaller taper."""
-    input:
-        kernels("chain"),
-    output:
-        dataset="<results>/data/harbola_2009/pulses.nc",
-    params:
-        code=code("tapered_chains"),
-        settings=HARBOLA,
-    log:
-        "<logs>/harbola_2009/pulses.log",
-    conda:
-        "../../workflow/envs/main.yaml"
-    script:
-        "tapered_chains.py"
+MADE_BY["harbola_2009/pulses"] = "tapered_chains.follow_pulses", HARBOLA
 
 
 rule harbola_2009_pulses:

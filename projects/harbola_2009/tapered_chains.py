@@ -54,10 +54,8 @@ from granular_fronts.chain.measures import peak_decay
 from granular_fronts.chain.patterns import values_along
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.fronts.solitary_waves import solitary_wave
-from granular_fronts.output.datasets import write_dataset
 from granular_fronts.scenes.beads import Pattern
 from granular_fronts.studies.strikers import struck_chain
-from job import job
 
 HALF_COLLISION = 0.4 * beta(0.4, 0.5)
 """Time of half a collision over z/v."""
@@ -168,10 +166,3 @@ def _constants_of_wave(points):
     u = np.maximum(solitary_wave(1.5, points).u, 0.0)
     momentum, energy = u.sum() / points, 0.9 * (u**2.5).sum() / points
     return momentum**2 / (2.0 * energy), momentum
-
-
-if __name__ == "__main__":
-    with job(snakemake):
-        settings = snakemake.params.settings
-        pulses = follow_pulses(**settings)
-        write_dataset(pulses, snakemake.output.dataset, scene_id="pulses", config=settings)

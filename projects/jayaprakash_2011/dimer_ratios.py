@@ -50,9 +50,7 @@ from granular_fronts.chain.measures import peak_decay
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import SolveError
 from granular_fronts.fronts.solitary_waves import solitary_wave
-from granular_fronts.output.datasets import write_dataset
 from granular_fronts.studies.strikers import struck_chain
-from job import job
 
 ALPHA = 1.5
 """Exponent of beads."""
@@ -294,10 +292,3 @@ def last_spacing(found):
     """Return the last distance of two antiresonances in ε^(−1/2) over that as ε → 0."""
     last = found["antiresonance"].values[-2:] ** -0.5
     return rounded(float(last[1] - last[0]), 1e3) / tabulated(found, "spacing")
-
-
-if __name__ == "__main__":
-    with job(snakemake):
-        settings = snakemake.params.settings
-        ratios = find_ratios(**settings)
-        write_dataset(ratios, snakemake.output.dataset, scene_id="ratios", config=settings)

@@ -4,23 +4,7 @@ from jayaprakash_2011_settings import Dimers
 
 DIMERS, DIMERS_OWN = project_settings("jayaprakash_2011", Dimers)
 JUDGED["jayaprakash_2011"] = {"ratios": [DIMERS, DIMERS_OWN]}
-
-
-rule find_dimer_ratios:
-    """Mass ratios at which dimers carry a wave unchanged, and attenuate a pulse most."""
-    input:
-        kernels("chain"),
-    output:
-        dataset="<results>/data/jayaprakash_2011/ratios.nc",
-    params:
-        code=code("dimer_ratios"),
-        settings=DIMERS,
-    log:
-        "<logs>/jayaprakash_2011/ratios.log",
-    conda:
-        "../../workflow/envs/main.yaml"
-    script:
-        "dimer_ratios.py"
+MADE_BY["jayaprakash_2011/ratios"] = "dimer_ratios.find_ratios", DIMERS
 
 
 rule jayaprakash_2011_ladder:

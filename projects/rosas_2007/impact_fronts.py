@@ -37,10 +37,8 @@ from granular_fronts.accuracy import Estimate, variable_and_errors
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.solve import evaluate_front, solve_front
-from granular_fronts.output.datasets import write_dataset
 from granular_fronts.studies.strikers import struck_chain
 from impact_pulse import height_of_front, time_of_front
-from job import job
 
 ALPHA = 1.5
 """Exponent of beads."""
@@ -220,10 +218,3 @@ def _ceasing(excess):
     """Return where a function of the damping passes 0, with all samples and with half of them."""
     own, other = (bisect(excess, *BETWEEN, args=(every,), xtol=SOUGHT) for every in (1, 2))
     return Estimate(own, abs(own - other) + SOUGHT)
-
-
-if __name__ == "__main__":
-    with job(snakemake):
-        settings = snakemake.params.settings
-        fronts = follow_fronts(**settings)
-        write_dataset(fronts, snakemake.output.dataset, scene_id="fronts", config=settings)

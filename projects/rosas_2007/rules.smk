@@ -4,6 +4,7 @@ from rosas_2007_settings import Impacts
 
 ROSAS, ROSAS_OWN = project_settings("rosas_2007", Impacts)
 JUDGED["rosas_2007"] = {name: [ROSAS[name], ROSAS_OWN[name]] for name in ROSAS}
+MADE_BY["rosas_2007/fronts"] = "impact_fronts.follow_fronts", ROSAS["fronts"]
 
 
 rule rosas_2007_impact:
@@ -23,23 +24,6 @@ rule rosas_2007_impact:
         scene="weak|medium|strong",
     script:
         "../../workflow/scripts/initiate_front.py"
-
-
-rule follow_impact_fronts:
-    """Fronts far behind an impact, exact fronts of the same damping, and when there is one pulse."""
-    input:
-        kernels("chain", "fronts"),
-    output:
-        dataset="<results>/data/rosas_2007/fronts.nc",
-    params:
-        code=code("impact_fronts"),
-        settings=ROSAS["fronts"],
-    log:
-        "<logs>/rosas_2007/fronts.log",
-    conda:
-        "../../workflow/envs/main.yaml"
-    script:
-        "impact_fronts.py"
 
 
 rule rosas_2007_pulses:

@@ -60,9 +60,10 @@ def test_the_front_moves_with_the_speed_of_its_height():
 
 @pytest.fixture(scope="module")
 def fronts():
-    return follow_fronts([0.05, 0.3], [200, 400], [100, 200], [0.2, 0.8], TOLERANCE)
+    return follow_fronts([0.05, 0.3], [200, 400], [200], [0.2, 0.8], TOLERANCE)
 
 
+@pytest.mark.slow
 def test_fronts_approach_those_of_the_closed_form_and_exact_ones(fronts):
     """Neither the pulse nor the exact front knows anything of the chain; both become closer."""
     strong, weak = fronts.sel(gamma=0.3), fronts.sel(gamma=0.05)
@@ -75,6 +76,7 @@ def test_fronts_approach_those_of_the_closed_form_and_exact_ones(fronts):
     assert (strong["overshoot"] < 0.0).all()
 
 
+@pytest.mark.slow
 def test_errors_of_fronts_bound_a_change_of_the_tolerance(fronts):
     coarse = {"relative": 1e-7, "absolute": 1e-10}
     changed = follow_fronts([0.05], [200], [200], [0.8], coarse).squeeze()
@@ -84,6 +86,7 @@ def test_errors_of_fronts_bound_a_change_of_the_tolerance(fronts):
         assert abs(apart.value) <= 2.0 * apart.error, name
 
 
+@pytest.mark.slow
 def test_pulses_cease_to_be_apart_where_their_front_ceases_to_overshoot(fronts):
     """Whatever part of the height counts, at nearly one damping."""
     critical = np.append(fronts["one_pulse"], fronts["no_overshoot"])

@@ -96,6 +96,9 @@ def table(stem):
 JUDGED = {}
 """For each project with statements its scenes, as they are computed and as its config.yaml says."""
 
+MADE_BY = {}
+"""For datasets of projects the function that makes each, `module.function`, and its settings."""
+
 
 def project_settings(name, part):
     """Return the settings of a project as they are computed, and those of its own config.yaml.

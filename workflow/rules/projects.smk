@@ -1,4 +1,26 @@
-"""What projects have in common: statements on their datasets, and their verdicts."""
+"""What projects have in common: datasets, statements on them, and their verdicts."""
+
+
+rule project_study:
+    """A dataset of a project, by a function of its folder."""
+    input:
+        kernels("chain", "fronts"),
+    output:
+        dataset="<results>/data/{study}.nc",
+    params:
+        code=lambda wildcards: digest_of(
+            "project_study", MADE_BY[wildcards.study][0].partition(".")[0]
+        ),
+        made_by=lambda wildcards: MADE_BY[wildcards.study][0],
+        settings=lambda wildcards: MADE_BY[wildcards.study][1],
+    log:
+        "<logs>/{study}.log",
+    conda:
+        "../envs/main.yaml"
+    wildcard_constraints:
+        study="|".join(MADE_BY),
+    script:
+        "../scripts/project_study.py"
 
 
 rule project_statements:
