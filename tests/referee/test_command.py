@@ -115,6 +115,7 @@ def test_bad_input_has_a_status_of_its_own_and_one_sentence(tmp_path, capsys):
     for words, sentence in (
         (["judge", table(tmp_path, FRONT, 0.1, few)], "2 digits, too few to tell whether"),
         (["judge", table(tmp_path, WAVE, 0.1, fewer)], "digits, too few to tell whether"),
+        (["judge", table(tmp_path, WAVE, 1e-300, results[1][0])], "steps of 1e-300 for a"),
         (["judge", tmp_path / f"{FRONT}_*.csv"], "There is no file"),
         (["write", "front_of_steel", tmp_path / "case"], "There is no case front_of_steel: choose"),
         (["write", COLLISION, tmp_path / f"{FRONT}_0.1.csv"], "no folder can be made"),

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from granular_fronts.errors import InputError
 from granular_fronts.referee.answers import rows_of_states
 from granular_fronts.referee.assessment import Order, find, largest_error, observed_order
 from granular_fronts.referee.problems import ALPHA
@@ -19,6 +20,7 @@ from granular_fronts.reference_methods.half_step import SCHEMES, Chain, integrat
 
 PARTS = 1, 2, 4  # of a step
 MARGIN = 1.25  # of the step whose error is the tolerance, over the step itself
+MOST_STATES = 1e8  # of single beads in a motion, 1.6 GB
 
 
 class Tolerance(NamedTuple):
@@ -42,6 +44,11 @@ def move(problem, step, scheme="lagged_verlet", factor=1.0):
     left = problem.force ** (1.0 / ALPHA)
     chain = Chain(ALPHA, scene.law.beta, factor * scene.law.gamma, left, wall=problem.wall)
     steps = round(scene.end_time / step)
+    if steps * scene.beads.count > MOST_STATES:
+        raise InputError(
+            f"{problem.name} would take {steps:.0e} steps of {step:.2g} for a tolerance, too many: "
+            "take a larger step, or name the file after its step."
+        )
     motion = integrate(chain, *problem.start, step, steps, scheme=SCHEMES[scheme])
     return Result(problem.name, step, motion.t[::every], motion.x[::every], motion.v[::every])
 
