@@ -48,8 +48,8 @@ It is not cut off if it becomes attractive just before they part. It is zero wit
 
 Compute the motion up to t = {end_time:g}, with two steps or more. Write positions and
 velocities at t = 0, {interval:g}, {twice:g}, ... as tables {name}_STEP.csv with the
-columns t, bead, x, v, in all digits. Here x is the displacement from the start. Or let a code
-do so by its deck. Then run
+columns t, bead, x, v, in all digits. Here x is the displacement from where beads just touch.
+Or let a code do so by its deck. Then run
     granular-fronts-referee judge {name}_*.csv
 or compare with states.csv: u over {displacement!r} and v over {velocity!r} are off by no more
 than tolerances.csv says under "states", in the row of the scheme and the step.
