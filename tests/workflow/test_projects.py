@@ -74,6 +74,14 @@ def test_a_project_that_is_deleted_leaves_nothing_behind(name, tmp_path):
     assert found.returncode == 0, found.stdout
 
 
+@pytest.mark.slow
+def test_the_paper_needs_no_project(tmp_path):
+    copy = copy_project(tmp_path)
+    shutil.rmtree(copy / "projects")
+    plan = snakemake("--dry-run", folder=copy)
+    assert plan.returncode == 0, plan.stderr
+
+
 @pytest.fixture(scope="module")
 def project(tmp_path_factory):
     """A copy with the project of the page."""

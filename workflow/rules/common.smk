@@ -100,6 +100,11 @@ MADE_BY = {}
 """For datasets of projects the function that makes each, `module.function`, and its settings."""
 
 
+def one_of(names):
+    """Return a constraint of a wildcard to some names; without any it matches nothing."""
+    return "|".join(names) or "(?!)"
+
+
 def project_settings(name, part):
     """Return the settings of a project as they are computed, and those of its own config.yaml.
 

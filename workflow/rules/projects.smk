@@ -18,7 +18,7 @@ rule project_study:
     conda:
         "../envs/main.yaml"
     wildcard_constraints:
-        study="|".join(MADE_BY),
+        study=one_of(MADE_BY),
     script:
         "../scripts/project_study.py"
 
@@ -42,7 +42,7 @@ rule project_statements:
     conda:
         "../envs/main.yaml"
     wildcard_constraints:
-        project="|".join(JUDGED),
+        project=one_of(JUDGED),
     script:
         "../scripts/tabulate_statements.py"
 
@@ -60,7 +60,7 @@ rule project_verdicts:
     conda:
         "../envs/main.yaml"
     wildcard_constraints:
-        project="|".join(JUDGED),
+        project=one_of(JUDGED),
     localrule: True
     script:
         "../scripts/check_verdicts.py"
