@@ -67,6 +67,11 @@ NEGLIGIBLE = 1e-3
 """Compression of no pulse, below that of any front until CROSSED."""
 
 
+def follow_impact(**scene):
+    """Return the motion behind an impact."""
+    return simulate_chain(scene, "impact")
+
+
 def follow_fronts(dampings, contacts, early_contacts, parts, tolerance):
     """Compare fronts at contacts with exact ones, for each damping; find when there is one pulse.
 

@@ -5,25 +5,10 @@ from rosas_2007_settings import Impacts
 ROSAS, ROSAS_OWN = project_settings("rosas_2007", Impacts)
 JUDGED["rosas_2007"] = {name: [ROSAS[name], ROSAS_OWN[name]] for name in ROSAS}
 MADE_BY["rosas_2007/fronts"] = "impact_fronts.follow_fronts", ROSAS["fronts"]
-
-
-rule rosas_2007_impact:
-    """Motions behind an impact."""
-    input:
-        kernels("chain"),
-    output:
-        dataset="<results>/data/rosas_2007/{scene}.nc",
-    params:
-        code=code("initiate_front"),
-        scene=lambda wildcards: ROSAS[wildcards.scene],
-    log:
-        "<logs>/rosas_2007/{scene}.log",
-    conda:
-        "../../workflow/envs/main.yaml"
-    wildcard_constraints:
-        scene="weak|medium|strong",
-    script:
-        "../../workflow/scripts/initiate_front.py"
+MADE_BY |= {
+    f"rosas_2007/{name}": ("impact_fronts.follow_impact", ROSAS[name])
+    for name in ("weak", "medium", "strong")
+}
 
 
 rule rosas_2007_pulses:
@@ -37,7 +22,7 @@ rule rosas_2007_pulses:
     output:
         **figure("rosas_2007_pulses", "projects/rosas_2007/captions"),
     params:
-        code=code("rosas_2007_pulses", "initiate_front", "impact_fronts"),
+        code=code("rosas_2007_pulses", "impact_fronts"),
         shown=JUDGED["rosas_2007"],
     log:
         "<logs>/rosas_2007/pulses.log",
