@@ -5,7 +5,6 @@ import pytest
 from numpy.polynomial import Chebyshev, Polynomial
 
 import granular_fronts as gf
-from granular_fronts.fronts.linear.tails import rate_of_tail_ahead
 from granular_fronts.fronts.solitary_waves import solitary_wave
 from granular_fronts.studies.strikers import struck_chain
 
@@ -73,24 +72,3 @@ def test_a_front_is_as_fast_as_the_fifth_root_of_the_velocity_of_its_piston(velo
     scene |= {"boundary": {"kind": "piston", "velocity": velocity}, "start": {"kind": "rest"}}
     scene["record"]["arrival_level"] = 0.5 * velocity**0.8
     assert float(gf.simulate_chain(scene)["front_speed"]) == pytest.approx(speed, rel=1.0e-3)
-
-
-@pytest.mark.parametrize("gamma", [0.5, 3.0])
-def test_fronts_of_strong_linear_dashpots_are_monotone_with_exponential_tails(gamma):
-    """Herrmann, James and Matthies (2025), arXiv:2503.19518, abstract.
-
-    Behind, the rate of decay is that of the linear problem up to the next power of 1 − u, and ahead
-    up to u^(1/2), which the elastic force is to the viscous one.
-    """
-    front = gf.solve_front(1.5, gamma, beta=1.0)
-    xi, u = front["xi"].values, front["relative_displacement"].values
-    assert np.diff(u).max() <= 2.0 * front.attrs["error_estimate"]
-    rates = gf.tail_roots(1.5, gamma, 1.0, count=1)[0].real, -rate_of_tail_ahead(0.0, gamma, 1.0)
-    for tail, rate, power in ((1.0 - u, rates[0], 1.0), (u, rates[1], 0.5)):
-        apart = []
-        for level in (1.0e-3, 1.0e-6):
-            there = (tail > level) & (tail < 10.0 * level)
-            slope = np.polyfit(xi[there], np.log(tail[there]), 1)[0]
-            apart.append(abs(slope / rate - 1.0))
-        assert apart[1] < 2.0e-3
-        assert apart[1] / apart[0] == pytest.approx(1.0e-3**power, rel=0.3)
