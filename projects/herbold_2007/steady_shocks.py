@@ -20,8 +20,6 @@ from granular_fronts.accuracy import Estimate, rounded, tabulated, variable_and_
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.solve import solve_front
-from granular_fronts.output.datasets import write_dataset
-from job import job
 
 ALPHA = 1.5
 LEVELS = (0.1, 0.01, 1e-3, 1e-5)
@@ -115,8 +113,3 @@ def travelled(found, within):
     """Return the first contact from which on peaks are near that of the front, over the pulse."""
     far = np.flatnonzero(abs(found["transient"].values) > within)
     return Estimate(float(found["contact"][far[-1] + 1]), 0.0) / tabulated(found, "pulse")
-
-
-if __name__ == "__main__":
-    with job(snakemake):
-        write_dataset(shocks(), snakemake.output.dataset, scene_id="shocks", config={})
