@@ -36,9 +36,15 @@ BEHIND, AHEAD = (1e-6, 1.0), (1e-8, ALPHA - 1.0)
 def overdamped_fronts(certificate):
     """Return what is measured on (gamma), and `overshoot_bound` on (certificate), their γ."""
     variables, records = {}, list(proofs(certificate))
-    names = ("rise", "width", "behind", "ahead")
-    for name, found in zip(names, zip(*map(look_at, GAMMA), strict=True), strict=True):
-        variables |= variable_and_errors(name, "gamma", found, "the front", f"{name} of fronts")
+    named = {
+        "rise": "largest rise of a front",
+        "width": "width of a front over that of the limit",
+        "behind": "rate of decay behind",
+        "ahead": "rate of decay ahead",
+    }
+    method = "a refined front; of rates, another decade"
+    for name, found in zip(named, zip(*map(look_at, GAMMA), strict=True), strict=True):
+        variables |= variable_and_errors(name, "gamma", found, method, named[name])
     tops = [record["numbers"].get("overshoot", math.nan) - 1.0 for record in records]
     variables["overshoot_bound"] = "certificate", tops
     proved = [float(record["gamma"][0]) for record in records]

@@ -19,7 +19,7 @@ rule overdamped_fronts:
 
 
 rule herrmann_2025_rates:
-    """Rates of both tails, distance to the limit, and what is proved."""
+    """Rates of both tails, and what is proved."""
     input:
         fronts=rules.overdamped_fronts.output.dataset,
         texts="projects/herrmann_2025/captions/herrmann_2025_rates.rst",
