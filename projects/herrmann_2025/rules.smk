@@ -1,5 +1,7 @@
 """Overdamped fronts: sentences of Herrmann, James and Matthies (2025)."""
 
+JUDGED["herrmann_2025"] = {"fronts": [{}, {}]}
+
 
 rule overdamped_fronts:
     """Overdamped fronts with linear dashpots, their tails, limit and proofs."""
@@ -36,37 +38,8 @@ rule herrmann_2025_rates:
         "herrmann_2025_rates.py"
 
 
-rule herrmann_2025_statements:
-    """Sentences on overdamped fronts, with verdicts."""
-    input:
-        statements="projects/herrmann_2025/statements.yaml",
-        datasets=data("herrmann_2025/fronts"),
-    output:
-        **table("herrmann_2025_statements"),
-    params:
-        code=code("tabulate_statements", *measured_by("projects/herrmann_2025/statements.yaml")),
-        shown=dict(fronts=[{}, {}]),
-    log:
-        "<logs>/herrmann_2025/statements.log",
-    conda:
-        "../../workflow/envs/main.yaml"
-    script:
-        "../../workflow/scripts/tabulate_statements.py"
-
-
 rule herrmann_2025:
     """Overdamped fronts with linear dashpots, with a figure and verdicts; seconds."""
     input:
-        figures=rules.herrmann_2025_rates.output,
-        tables=[rules.herrmann_2025_statements.output.csv],
-    output:
-        verdict="<results>/herrmann_2025.txt",
-    params:
-        code=code("check_verdicts"),
-    log:
-        "<logs>/herrmann_2025/verdicts.log",
-    conda:
-        "../../workflow/envs/main.yaml"
-    localrule: True
-    script:
-        "../../workflow/scripts/check_verdicts.py"
+        rules.herrmann_2025_rates.output,
+        "<results>/herrmann_2025.txt",
