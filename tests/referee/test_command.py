@@ -77,6 +77,20 @@ def test_a_scheme_passes_by_its_tolerance_and_faults_do_not(
     assert within == row["passes"]
 
 
+@pytest.mark.parametrize(
+    ("name", "factor", "step", "expected"),
+    [
+        (FRONT, 0.97, 0.1, 0),
+        ("contact_loss_steel_viscoelastic", 0.9, 0.1, 0),
+        (FRONT, 0.97, 0.025, 1),
+    ],
+)
+def test_less_damping_hides_behind_that_of_a_step(name, factor, step, expected, tmp_path):
+    """As the page says; a smaller step sees it."""
+    result = move(PROBLEMS[name], step, factor=factor)
+    assert status("judge", table(tmp_path, name, step, result)) == expected
+
+
 def test_one_result_that_misses_decides(tmp_path, capsys):
     files = [
         table(tmp_path, COLLISION, step, move(PROBLEMS[COLLISION], 0.1)) for step in (0.1, 0.05)
