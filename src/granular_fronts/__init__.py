@@ -1,6 +1,6 @@
 """Traveling fronts in dissipative granular chains, after James (2021).
 
-The calls that matter most, after ``import granular_fronts as gf``:
+The calls that matter most, where `gf` is this package:
 
 ======================  ===================================================================
 `gf.solve_front`        the steady front of given α and damping, to round-off
@@ -17,7 +17,6 @@ The calls that matter most, after ``import granular_fronts as gf``:
 
 For example:
 
->>> import granular_fronts as gf
 >>> front = gf.solve_front(alpha=1.5, gamma=0.05)
 >>> print(f"overshoot {front.attrs['overshoot']:.6f}")
 overshoot 0.320675

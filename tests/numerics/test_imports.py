@@ -93,7 +93,10 @@ def test_every_rule_stands_on_the_imports_of_its_script():
             script = re.search(r"/?(\w+)\.py\"", rule[rule.index("script:") :])[1]
             # What a study or a chunk imports depends on its wildcards.
             if script not in ("study", "solve_chunk"):
-                assert re.search(rf"code=code\(\s*(\*\()?\"{script}\"", rule), (file, script)
+                assert re.search(rf"(=code|digest_of)\(\s*(\*\()?\"{script}\"", rule), (
+                    file,
+                    script,
+                )
 
 
 def test_no_module_takes_a_public_name_that_is_imported_when_it_is_used():
