@@ -1,6 +1,6 @@
 r"""The chain in its textbook variables, for comparison with the strain form.
 
-The same eighth-order pair, stepping (x, w), James (2021), eqs. (31)-(32), or (x, ẋ), eq. (28),
+The same method of order eight, stepping (x, w), James (2021), eqs. (31)-(32), or (x, ẋ), eq. (28),
 without window, event location or fused loops.  They show what the choice of variables buys: a
 force of :math:`x_{n-1} - x_n` cancels digits, and in (x, ẋ) the right-hand side
 
@@ -10,7 +10,6 @@ is only as smooth as G', :math:`C^{\beta-1}` for the law (28), where a contact o
 that the observed order drops by one.  On a ring :math:`x_{n+N} = x_n - \sum_k u_k` (eq. 26).
 """
 
-import math
 from typing import NamedTuple
 
 import numpy as np
@@ -20,12 +19,12 @@ from granular_fronts.chain.equations import Boundary
 from granular_fronts.model.laws import Law
 from granular_fronts.model.passes import call_row_map, row_map, row_parameters
 from granular_fronts.numerics import runge_kutta as rk
-from granular_fronts.numerics.compiled import kernel, subroutine
+from granular_fronts.numerics.compiled import kernel
 
 XW, XV = 0, 1
 
 _A = np.ascontiguousarray(rk.A[: rk.STAGES, : rk.STAGES])
-_B, _E5, _E3 = (weights[: rk.STAGES].copy() for weights in (rk.B, rk.ERROR_5, rk.ERROR_3))
+_B = rk.B[: rk.STAGES].copy()
 
 
 class Contacts(NamedTuple):
@@ -123,14 +122,6 @@ def integrate_by_stages(system, y, h, steps, nodes, weights):
     return _integrate_by_stages(system.contacts, y, h, steps, nodes, weights)
 
 
-def integrate_adaptive(system, y, h, end_time, relative, absolute):
-    """Integrate from 0 to `end_time` with error control; return the state and the accepted steps.
-
-    The state is NaN if the step size collapses.
-    """
-    return _integrate_adaptive(system.contacts, y, h, end_time, relative, absolute)
-
-
 @kernel
 def _derivative(contacts, y, result):
     """Time derivative of y = (x, w) or (x, ẋ)."""
@@ -157,39 +148,21 @@ def _derivative(contacts, y, result):
         result[beads + n] = force[n] - force[n + 1]
 
 
-@subroutine
-def _step(contacts, y, slopes, h, relative, absolute):
-    """Take one step of the pair; return the new state and its error over the tolerance."""
-    stage = np.empty_like(y)
-    _derivative(contacts, y, slopes[0])
-    for row in range(1, rk.STAGES):
-        stage[:] = y
-        for j in range(row):
-            if _A[row, j] != 0.0:
-                stage += h * _A[row, j] * slopes[j]
-        _derivative(contacts, stage, slopes[row])
-    increment, fifth, third = np.zeros_like(y), np.zeros_like(y), np.zeros_like(y)
-    for j in range(rk.STAGES):
-        increment += h * _B[j] * slopes[j]
-        fifth += h * _E5[j] * slopes[j]
-        third += h * _E3[j] * slopes[j]
-    beads = y.size // 2
-    fifth_norm = third_norm = 0.0
-    for part in (slice(0, beads), slice(beads, 2 * beads)):
-        scale = absolute + relative * np.abs(y[part]).max()
-        fifth_norm = max(fifth_norm, np.abs(fifth[part]).max() / scale)
-        third_norm = max(third_norm, np.abs(third[part]).max() / scale)
-    if fifth_norm == 0.0:
-        return y + increment, 0.0
-    error = fifth_norm**2 / math.sqrt(fifth_norm**2 + 0.01 * third_norm**2)
-    return y + increment, error
-
-
 @kernel
 def _integrate_fixed(contacts, y, h, steps):
     slopes = np.empty((rk.STAGES, y.size))
     for _ in range(steps):
-        y, _error = _step(contacts, y, slopes, h, 1.0, 1.0)
+        _derivative(contacts, y, slopes[0])
+        for row in range(1, rk.STAGES):
+            stage = y.copy()
+            for j in range(row):
+                if _A[row, j] != 0.0:
+                    stage += h * _A[row, j] * slopes[j]
+            _derivative(contacts, stage, slopes[row])
+        increment = np.zeros_like(y)
+        for j in range(rk.STAGES):
+            increment += h * _B[j] * slopes[j]
+        y = y + increment
     return y
 
 
@@ -203,21 +176,3 @@ def _integrate_by_stages(contacts, y, h, steps, nodes, weights):
             increment += weights[stage] * slope
         y = y + h * increment
     return y
-
-
-@kernel
-def _integrate_adaptive(contacts, y, h, end_time, relative, absolute):
-    slopes = np.empty((rk.STAGES, y.size))
-    t, accepted = 0.0, 0
-    while t < end_time:
-        t_new = min(t + h, end_time)
-        if t_new <= t:
-            return np.full_like(y, np.nan), accepted
-        trial, error = _step(contacts, y, slopes, t_new - t, relative, absolute)
-        factor = rk.LARGEST_FACTOR
-        if error > 0.0:
-            factor = max(rk.SMALLEST_FACTOR, rk.SAFETY * error**rk.ERROR_EXPONENT)
-        if error <= 1.0:
-            t, y, accepted = t_new, trial, accepted + 1
-        h *= min(rk.LARGEST_FACTOR, factor)
-    return y, accepted
