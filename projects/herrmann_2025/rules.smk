@@ -39,7 +39,7 @@ rule herrmann_2025_rates:
 
 
 rule herrmann_2025:
-    """Overdamped fronts with linear dashpots, with a figure and verdicts; seconds."""
+    """Overdamped fronts with linear dashpots, with a figure and verdicts; half a minute."""
     input:
         rules.herrmann_2025_rates.output,
         "<results>/herrmann_2025.txt",
