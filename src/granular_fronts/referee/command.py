@@ -21,6 +21,7 @@ from granular_fronts.referee.assessment import (
     observed_order,
 )
 from granular_fronts.referee.files import make_folder, write_case
+from granular_fronts.referee.measurements import NAMES
 from granular_fronts.referee.problems import load_problems
 from granular_fronts.referee.results_files import read_results
 from granular_fronts.referee.tolerances import deviation, measure_tolerance, move, with_states_of
@@ -92,7 +93,8 @@ def _judge(problems, options):
         cases.append({"case": name, "results": rows} | summary)
         if not options.json:
             print("\n".join(measured(problem, findings)))
-            print("\n".join(_verdict_in_words(row, options.scheme) for row in rows))
+            number = NAMES[problem.motion]
+            print("\n".join(_verdict_in_words(row, number, options.scheme) for row in rows))
             print("\n".join(_schemes_in_words(schemes, results[-1].step)))
     if options.json:
         print(json.dumps(_without_nan(cases)))
@@ -154,9 +156,9 @@ def _row(name, finding, limit):
     }
 
 
-def _verdict_in_words(row, scheme):
+def _verdict_in_words(row, number, scheme):
     verdict = "is within" if row["passes"] else "MISSES"
-    read = f", number off by {row['reading']:.1e} (tolerance {row['reading_tolerance']:.1e})"
+    read = f"; {number} off by {row['reading']:.1e} (tolerance {row['reading_tolerance']:.1e})"
     reading = "" if math.isnan(row["reading"]) else read
     return (
         f"  Step {row['step']:g} {verdict} the tolerance of {scheme}: error {row['error']:.1e} "
