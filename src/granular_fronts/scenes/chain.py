@@ -474,8 +474,8 @@ class Chain(Scene):
         most = beads if isinstance(boundary, WallBehind) else beads - 1
         if isinstance(start, Striker) and start.beads > most:
             yield (
-                f"start.beads is {start.beads}, but the chain has {beads} beads: give {most} or "
-                "fewer."
+                f"start.beads is {start.beads}, but at most {most} can move at the start: give "
+                f"{most} or fewer."
             )
         if not isinstance(start, Given):
             return
