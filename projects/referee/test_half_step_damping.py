@@ -115,7 +115,7 @@ def test_damping_added_to_the_accurate_chain_is_read_as_such():
     peak, _ = accurate_chain(CASE._replace(gamma=0.1 * 1.023))
     assert excess_by_table(np.array(peak.peak), factors, table) == pytest.approx(0.023, abs=2e-6)
     # Beyond the table nothing is read.
-    outside = np.array([table[0] + 1e-6, table[-1] - 1e-6])
+    outside = np.array([table[0] + 1e-6, table[-1] - 1e-6, -100.0, 100.0])
     assert np.isnan(excess_by_table(outside, factors, table)).all()
 
 

@@ -66,7 +66,7 @@ def _steepness_error(dataset):
 
 
 def residual_of_orbits(dataset, smallest_mu):
-    """Return the largest defect of z' = μz − y ln y, which is (59), on the orbits from some μ on.
+    """Return the largest defect of z' = μz − y ln y (57), so of (59), on orbits from some μ on.
 
     z' comes from differences of order 6, and their error is all that is left for an exact orbit.
     Over twice the spacing the defect is 2⁶ times as large, which the error estimate assumes.

@@ -95,7 +95,8 @@ def sweep_fronts(
     alpha : float
         Exponent of the elastic force, above 1.
     gammas : array_like, shape (fronts,)
-        Dampings above 0, in any order; close neighbours make the sweep fast.
+        Dampings above 0 in the units of the front, in any order; close neighbours make the sweep
+        fast.
     beta : float, optional
         Exponent of the damping force, at least 1; alpha by default.
     law : Law or mapping, optional

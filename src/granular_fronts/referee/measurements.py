@@ -93,10 +93,10 @@ def first_peak(t, u, rate):
 
 def excess_by_table(peaks, factors, table):
     """Return γ of the accurate motion with a number, over γ, less 1; NaN beyond the table."""
-    inside = (peaks <= max(table)) & (peaks >= min(table))
+    within = np.clip(peaks, min(table), max(table))
     # Barycentric weights of SciPy are multiplied in random order, unlike these differences.
     logarithm = KroghInterpolator(table, np.log(factors))
-    return np.where(inside, np.expm1(logarithm(peaks)), np.nan)
+    return np.where(within == peaks, np.expm1(logarithm(within)), np.nan)
 
 
 def cubic_between(t, u, rate, state):

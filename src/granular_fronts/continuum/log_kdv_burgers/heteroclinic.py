@@ -168,7 +168,9 @@ def compute_orbit(mu, first, resolution=USUAL):
 
 
 def squared_slope_at_one(mu):
-    """Return q(1), the square of y' where y first reaches 1 from the foot; see (59).
+    """Return q(1), where q = y'² over y obeys dq/dy = −2 (μ sign(q) |q|^(1/2) + y ln|y|), (59).
+
+    It is the square of y' where y first reaches 1 from the foot.
 
     For μ < 2 it is positive, though it falls below every double as μ → 2.  For μ ≥ 2 the orbit
     does not reach 1, and q is taken where 1 − y is 1e-20, far below the last digit of y.
