@@ -7,6 +7,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 from heteroclinic_reference import DIGITS, Reference
+from scipy.integrate import solve_ivp
 
 import granular_fronts as gf
 from granular_fronts.accuracy import EPSILON
@@ -160,6 +161,28 @@ def test_squared_slope_at_one_agrees_with_fifty_digits(mu):
     p, v = exact.at(orbit.s_at(0.0))
     assert abs(p) < 2.0e-13 * abs(v)
     assert squared_slope_at_one(mu) == pytest.approx(float(v) ** 2, rel=1.0e-13)
+
+
+def test_squared_slope_at_one_is_known_where_y_cannot_show_it():
+    """By the angle in the plane of ln y and its rate, and the logarithm of the distance."""
+    mu, start = 1.999, (20.0, 400.0)
+
+    def rates(s, state):
+        cosine, sine = np.cos(state[0]), np.sin(state[0])
+        growth = np.exp(state[1]) * sine**2 + mu * sine
+        return [sine**2 - cosine * (growth - cosine), -sine * growth]
+
+    def crossing(s, state):
+        return state[0] - 0.5 * np.pi
+
+    crossing.terminal = True
+    begin = [np.arctan2(*start), np.log(np.hypot(*start))]
+    found = solve_ivp(
+        rates, [0.0, 2000.0], begin, "DOP853", events=crossing, rtol=1e-12, atol=1e-13
+    )
+    expected = np.exp(2.0 * found.y_events[0][0][1])
+    assert 1e-88 < expected < 1e-87
+    assert squared_slope_at_one(mu) == pytest.approx(expected, rel=1e-8)
 
 
 def test_squared_slope_at_one_vanishes_from_the_transition_on():

@@ -26,7 +26,11 @@ import xarray as xr
 
 from granular_fronts.accuracy import EPSILON, error_attributes, with_refinement
 from granular_fronts.arguments import sequence
-from granular_fronts.continuum.log_kdv_burgers.equation import check_mu, linear_rates
+from granular_fronts.continuum.log_kdv_burgers.equation import (
+    CRITICAL_DAMPING,
+    check_mu,
+    linear_rates,
+)
 from granular_fronts.continuum.log_kdv_burgers.slow_manifold import (
     FEWER_TERMS,
     STIFF_DAMPING,
@@ -55,6 +59,9 @@ ACCEPTED_ERROR = 1e-12
 DEFAULT_POINTS = 1001
 TAIL_P = 37.0
 MOST_DEFAULT_TURNS = 12
+
+NEARLY_ONE = 1e-18
+"""The −ln y from which on squares are below the last digit of an orbit for μ < 2."""
 
 # Beyond this many e-foldings from y = ½ the orbit rests, for μ = 2 after an algebraic factor too.
 REST_DECAY = 60.0
@@ -170,20 +177,28 @@ def compute_orbit(mu, first, resolution=USUAL):
 def squared_slope_at_one(mu):
     """Return q(1), where q = y'² over y obeys dq/dy = −2 (μ sign(q) |q|^(1/2) + y ln|y|), (59).
 
-    It is the square of y' where y first reaches 1 from the foot.
-
-    For μ < 2 it is positive, though it falls below every double as μ → 2.  For μ ≥ 2 the orbit
-    does not reach 1, and q is taken where 1 − y is 1e-20, far below the last digit of y.
+    It is the square of y' where y first reaches 1 from the foot.  For μ < 2 it is positive, though
+    it falls below every double as μ → 2; from `NEARLY_ONE` on the orbit is that of the linear
+    system at (1, 0).  For μ ≥ 2 the orbit does not reach 1, and q is taken where it rests, far
+    below the last digit of y.
     """
     mu = check_mu(mu)
     if mu >= STIFF_DAMPING:
         orbit = slow_orbit(mu)
-        s = orbit.s_at(REST)
-    else:
-        orbit = compute_orbit(mu, _before_crossing(mu))
-        s = orbit.s_at(0.0)
-    p, v = orbit.evaluate(np.array([s]))
-    return float((v[0] * math.exp(-p[0])) ** 2)
+        return _squared_slope(orbit, orbit.s_at(REST))
+    orbit = compute_orbit(mu, _before_crossing(mu))
+    if mu >= CRITICAL_DAMPING:
+        return _squared_slope(orbit, orbit.s_at(0.0))
+    (p,), (v,) = orbit.evaluate(np.array([orbit.s_at(NEARLY_ONE)]))
+    frequency, rest = linear_rates(mu)[1].imag, v - 0.5 * mu * p
+    phase = math.atan2(frequency * p, rest)
+    return math.hypot(frequency * p, rest) ** 2 * math.exp(-mu * phase / frequency)
+
+
+def _squared_slope(orbit, s):
+    """Return y'² at one s."""
+    (p,), (v,) = orbit.evaluate(np.array([s]))
+    return float((v * math.exp(-p)) ** 2)
 
 
 def _before_crossing(mu):
