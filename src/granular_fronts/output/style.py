@@ -34,6 +34,7 @@ PROBE_COLOURS = (
     "#5a2a05",
 )
 BLACK, BLUE, GREEN, LIGHT_BLUE, MAGENTA, BROWN = PROBE_COLOURS
+LIGHT_BROWN = "#d98a3d"
 DASHED, DOTTED, DASH_DOTTED = (0, (6, 1.5)), (0, (3, 1)), (0, (6, 1.5, 1, 1.5))
 PROBE_STYLES = ("-", DASHED, DASH_DOTTED, DOTTED, (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
 # What is clipped, failed or singled out.
@@ -53,16 +54,16 @@ LOOKS = {
     "exact": Look("exact front", BLACK, "-"),
     # Amplitude equations in time, and their fronts.
     "logarithmic": Look("logarithmic Burgers", BLUE, DASHED),
-    "unlimited": Look("finite-α Burgers", GREEN, DASH_DOTTED),
+    "unlimited": Look(r"finite-$\alpha$ Burgers", GREEN, DASH_DOTTED),
     "dispersive": Look("logarithmic KdV–Burgers", MAGENTA, DOTTED),
     "heteroclinic": Look("logarithmic KdV–Burgers", MAGENTA, DOTTED),
     # Critical damping in its four meanings.
     "tail": Look("tail stops oscillating", BLACK, "-"),
     "double_root": Look("slowest tail roots merge", GREEN, DASH_DOTTED),
-    "long_wave": Look("long-wave limit, μ = 2", BLUE, DASHED),
+    "long_wave": Look(r"long-wave limit, $\mu = 2$", BLUE, DASHED),
     "overshoot": Look("overshoot too small to see", MAGENTA, DOTTED),
-    "second_peak_leads": Look("second maximum higher", BROWN, DASHED),
-    "first_peak_stays_below": Look("first maximum below $\\delta$", BROWN, "-"),
+    "second_peak_leads": Look("second maximum higher", LIGHT_BROWN, "-"),
+    "first_peak_stays_below": Look("first maximum below $\\delta$", BROWN, DASHED),
 }
 CONTINUUM_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "heteroclinic")}
 MODEL_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "dispersive")}

@@ -14,9 +14,11 @@ from drawing import write_figure
 from granular_fronts.output.style import LOOKS, new_figure
 from job import job
 
+HIGHEST_GAMMA = 1.2
 # Places of the regions, as shares of the sides of the panel.
 REGIONS = {"fronts are monotone": (0.3, 0.9), "fronts oscillate": (0.6, 0.15)}
-PEAKS = ("second_peak_leads", "first_peak_stays_below")
+# Line widths: dashes lie on the wider line where both coincide.
+PEAKS = {"second_peak_leads": 1.4, "first_peak_stays_below": 0.7}
 
 
 def critical_damping(data: xr.Dataset, materials: xr.Dataset) -> Figure:
@@ -39,17 +41,17 @@ def critical_damping(data: xr.Dataset, materials: xr.Dataset) -> Figure:
             path_effects=[withStroke(linewidth=1.9, foreground="white")],
             **LOOKS[name]._asdict(),
         )
-    for name in PEAKS:
-        axes.plot(data["alpha"], data[name], linewidth=0.7, **LOOKS[name]._asdict())
+    for name, width in PEAKS.items():
+        axes.plot(data["alpha"], data[name], linewidth=width, **LOOKS[name]._asdict())
     _draw_materials(axes, materials)
     exchange = data.attrs["exchange_exponent"]
-    axes.axvline(exchange, color="0.4", linewidth=0.5, linestyle=":")
-    axes.text(exchange, 0.95, r" $\alpha^*$", transform=axes.get_xaxis_transform(), va="top")
     edge = [withStroke(linewidth=2, foreground="white")]
+    axes.axvline(exchange, color="black", linewidth=0.7, linestyle=":", path_effects=edge)
+    axes.text(exchange, 0.95, r" $\alpha^*$", transform=axes.get_xaxis_transform(), va="top")
     for words, place in REGIONS.items():
-        axes.text(*place, words, transform=axes.transAxes, fontsize=8, path_effects=edge)
+        axes.text(*place, words, transform=axes.transAxes, path_effects=edge)
     axes.set(xlabel=r"exponent $\alpha$ of the contact force", ylabel=r"damping $\gamma c$")
-    axes.set(yscale="log", ylim=(data["gamma"][0], data["gamma"][-1]))
+    axes.set(yscale="log", ylim=(data["gamma"][0], HIGHEST_GAMMA))
     axes.set(xlim=(1.0, data["alpha"][-1]))
     figure.legend(*axes.get_legend_handles_labels(), loc="outside upper center", ncols=2)
     return figure
@@ -59,11 +61,10 @@ def _draw_overshoot(axes: Axes, data: xr.Dataset) -> None:
     """Overshoot max u − 1 between its level curves; white below what is called too small to see."""
     levels = [data.attrs["overshoot_cut"], *data["level"].values]
     # A level that is passed below the panel, or nowhere, ends at its lower edge.
-    curves = [data["critical_damping_overshoot"], *data["overshoot_level"].fillna(0.0)]
-    edges = [*curves[1:], xr.zeros_like(curves[0])]
-    norm = BoundaryNorm([*levels, 10.0 * levels[-1]], 256)
+    curves = [data["critical_damping_overshoot"], *data["overshoot_level"].fillna(data["gamma"][0])]
+    norm = BoundaryNorm(levels, 256)
     colours = ScalarMappable(norm, colormaps["viridis_r"])
-    for level, upper, lower in zip(levels, curves, edges, strict=True):
+    for level, upper, lower in zip(levels, curves, curves[1:], strict=False):
         colour = colours.to_rgba(level)
         axes.fill_between(data["alpha"], lower, upper, color=colour, linewidth=0.0)
     look: dict[str, Any] = {"location": "bottom", "aspect": 30, "ticks": levels}
@@ -80,7 +81,7 @@ def _draw_materials(axes: Axes, materials: xr.Dataset) -> None:
         axes.annotate(
             str(gamma["material"].values),
             (alpha, float(gamma)),
-            xytext=(7, 0),
+            xytext=(7, -5),
             textcoords="offset points",
             va="center",
             fontweight="bold",
