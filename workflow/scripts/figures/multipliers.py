@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
 from drawing import write_figure
-from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
+from granular_fronts.output.style import PROBE_COLOURS, new_figure
 from job import job
 
 MARKERS = ("o", "s", "^", "v", "D")
@@ -32,18 +32,22 @@ def multipliers(data: xr.Dataset) -> Figure:
     near = [f"{front} near 1" for front in fronts]
     figure, panels = new_figure(4.1, [[*fronts, "gap"], [*near, "."]])
     for name, zoomed, front in zip(fronts, near, fronts, strict=True):
-        _draw_spectrum(panels[name], data.sel(scene=front))
+        _draw_spectrum(panels[name], data.sel(scene=front), 1.5)
         panels[name].set_title(_law(data.sel(scene=front)))
-        _draw_spectrum(panels[zoomed], data.sel(scene=front))
+        _draw_spectrum(panels[zoomed], data.sel(scene=front), 3.0)
         panels[zoomed].set(xlim=(1.0 - NEAR, 1.0 + 0.1 * NEAR), ylim=(-0.55 * NEAR, 0.55 * NEAR))
         panels[name].indicate_inset(panels[zoomed].viewLim.bounds, edgecolor="black", linewidth=0.5)
-    handles, words = panels[fronts[0]].get_legend_handles_labels()
-    figure.legend(handles, words, loc="lower right", borderaxespad=4)
-    _draw_gap(panels["gap"], data)
+    gap = panels["gap"]
+    _draw_gap(gap, data)
+    # Both legends are below it, in the empty place of the figure.
+    gap.legend(loc="upper left", bbox_to_anchor=(-0.1, -0.25)).set_in_layout(False)
+    handles, words = panels[near[0]].get_legend_handles_labels()
+    place: dict[str, Any] = {"bbox_to_anchor": (-0.1, -0.65), "bbox_transform": gap.transAxes}
+    figure.legend(handles, words, loc="upper left", borderaxespad=0.5, **place)
     return figure
 
 
-def _draw_spectrum(axes: Axes, data: xr.Dataset) -> None:
+def _draw_spectrum(axes: Axes, data: xr.Dataset, markersize: float) -> None:
     """The unit circle, waves in the compressed chain behind the front, and every window."""
     axes.plot(CIRCLE.real, CIRCLE.imag, "-", color="black", linewidth=0.5)
     for branch in data["branch"].values:
@@ -62,9 +66,10 @@ def _draw_spectrum(axes: Axes, data: xr.Dataset) -> None:
             MARKERS[number % len(MARKERS)],
             color=PROBE_COLOURS[number % len(PROBE_COLOURS)],
             fillstyle="none",
+            markersize=markersize,
             label=f"front, {behind} beads behind",
         )
-    axes.plot(1.0, 0.0, "+", color=ALARM_COLOUR, markersize=7, label="translation")
+    axes.plot(1.0, 0.0, "+", color="black", markersize=7, label="translation")
     axes.set(xlabel=r"Re $z$", ylabel=r"Im $z$", aspect="equal")
 
 
@@ -75,6 +80,7 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
         look: dict[str, Any] = {
             "color": PROBE_COLOURS[-1 - number],
             "marker": MARKERS[-1 - number],
+            "fillstyle": "none",
             "label": _law(one),
         }
         slowest = 1.0 - one["spectral_radius_without_translation"]
@@ -82,13 +88,12 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
     reflected = 1.0 - one["reflection_radius"]
     axes.loglog(one["beads_behind"], reflected, "-", color="0.6", label="reflected long waves")
     axes.set(xlabel="beads behind the front in the window", ylabel=r"$1 - |z|$ of the slowest")
+    axes.set_ylim(bottom=0.005)
     axes.set_xticks(data["beads_behind"], [f"{behind}" for behind in data["beads_behind"].values])
     axes.set_xticks([], minor=True)
-    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 4)))
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axes.yaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_minor_locator(NullLocator())
-    # Below, in the empty place of the figure.
-    axes.legend(loc="upper left", bbox_to_anchor=(-0.1, -0.2)).set_in_layout(False)
 
 
 def _law(data: xr.Dataset) -> str:
