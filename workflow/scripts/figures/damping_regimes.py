@@ -1,6 +1,7 @@
 """Where damping is weak, for four laws of damping; James (2021), section 3.1."""
 
 from itertools import cycle
+from typing import Any
 
 import xarray as xr
 from matplotlib.axes import Axes
@@ -30,21 +31,23 @@ def damping_regimes(data: xr.Dataset) -> Figure:
     looks = cycle(zip(PROBE_COLOURS, MARKERS, strict=False))
     for beta, (colour, marker) in zip(data["beta"].values, looks, strict=False):
         law = data.sel(beta=beta)
-        _draw_gamma(panels["gamma"], law, colour)
+        _draw_gamma(panels["gamma"], law, colour, marker)
         panels["restitution"].semilogx(
             law["velocity_ratio"],
             law["restitution"],
             linestyle="-",
             color=colour,
             marker=marker,
+            fillstyle="none",
             markevery=12,
+            clip_on=False,
             label=", ".join(filter(None, [rf"$\beta = {beta:g}$", names.get(beta)])),
         )
     ends = float(data["velocity_ratio"][0]), float(data["velocity_ratio"][-1])
     panels["gamma"].set(
         xlabel="velocity behind the front, $v_p/v_c$",
         ylabel=r"damping $\gamma$ of the front",
-        title="full: monotone, dashed: oscillating",
+        title="solid: monotone, dashed: oscillating",
         xlim=ends,
         ylim=SHOWN_GAMMA,
     )
@@ -53,18 +56,20 @@ def damping_regimes(data: xr.Dataset) -> Figure:
         ylabel="coefficient of restitution $e$",
         title="two beads collide",
         xlim=ends,
-        ylim=(0, 1.02),
+        ylim=(-0.04, 1.05),
     )
     figure.legend(loc="outside upper center", ncols=2, handlelength=2)
     return figure
 
 
-def _draw_gamma(axes: Axes, law: xr.Dataset, colour: str) -> None:
-    """γ against velocity, full where fronts are overdamped, over dashes everywhere."""
-    # The dashes go on below the full line, since the damping where both meet lies between two
+def _draw_gamma(axes: Axes, law: xr.Dataset, colour: str, marker: str) -> None:
+    """γ against velocity, solid where fronts are overdamped, over dashes everywhere."""
+    # The dashes go on below the solid line, since the damping where both meet lies between two
     # points.
     overdamped = law["gamma"].where(law["gamma"] >= law["critical_gamma"])
-    axes.loglog(law["velocity_ratio"], law["gamma"], linestyle=SHORT_DASHES, color=colour)
+    # Marks are between the powers of ten, because all lines cross at one of them.
+    marks: dict[str, Any] = {"marker": marker, "fillstyle": "none", "markevery": (6, 12)}
+    axes.loglog(law["velocity_ratio"], law["gamma"], linestyle=SHORT_DASHES, color=colour, **marks)
     axes.loglog(law["velocity_ratio"], overdamped, "-", color=colour)
 
 

@@ -34,21 +34,21 @@ def _draw_profile(axes: Axes, data: xr.Dataset) -> None:
     gamma = (2.0 * profile["theta"] - 1.0) * profile["step"]
     method = rf"$\theta = {profile['theta']:g}$, $h = {profile['step']:g}$"
     lines = [
-        ("conservative", "-", "#b0b0b0", "chain without damping"),
-        ("damped", "-", EQUATION_COLOUR, rf"chain with damping, $\gamma = {gamma:g}$"),
-        ("method", ".", CHAIN_COLOUR, f"no damping, by the method, {method}"),
+        ("conservative", "-", 0.5, "#b0b0b0", "chain without damping"),
+        ("damped", "-", 0.9, EQUATION_COLOUR, rf"chain with damping, $\gamma = {gamma:g}$"),
+        ("method", ".", 0.0, CHAIN_COLOUR, f"no damping, by the method, {method}"),
     ]
-    for name, style, colour, label in lines:
+    for name, style, width, colour, label in lines:
         values = data[f"relative_displacement_{name}"]
-        axes.plot(values["bead"], values, style, color=colour, label=label)
+        axes.plot(values["bead"], values, style, linewidth=width, color=colour, label=label)
     axes.set(
         xlabel="bead $n$",
         ylabel="compression $u_n$",
         title=f"a front at $t = {profile['end_time']:g}$",
         xlim=(0, profile["beads"]),
     )
-    axes.set_ylim(top=1.4 * float(data["relative_displacement_conservative"].max()))
-    axes.legend(loc="upper left")
+    axes.set_ylim(top=1.05 * float(data["relative_displacement_conservative"].max()))
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.1))
 
 
 def _draw_distances(axes: Axes, data: xr.Dataset) -> None:
@@ -61,12 +61,12 @@ def _draw_distances(axes: Axes, data: xr.Dataset) -> None:
         axes.loglog(row["step"], row["damping_distance"], "-", label=label, **look)
         axes.loglog(row["step"], row["conservative_distance"], ":", **look)
     axes.set(
-        xlabel="step $h$", ylabel=r"$\max_n |\Delta u_n|/\delta$", title="distance of the method"
+        xlabel="step $h$",
+        ylabel=r"distance $\max_n |\Delta u_n|/\delta$",
+        title="solid: to the damped chain, dotted: undamped",
     )
-    axes.set_ylim(top=10.0)
-    words = "dotted: to the chain without damping"
-    axes.text(0.05, 0.97, words, transform=axes.transAxes, va="top")
-    axes.legend(loc="lower right", title="full: to the chain with damping")
+    axes.set_ylim(top=2.0)
+    axes.legend(loc="lower right")
 
 
 if __name__ == "__main__":
