@@ -30,6 +30,8 @@ def exact_fronts(underdamped: xr.Dataset, overdamped: xr.Dataset) -> Figure:
         _draw_profiles(profiles, data)
         _draw_difference(difference, data)
         _draw_residuals(residuals, data)
+        profiles.sharey(panels["u 0"])
+        residuals.sharey(panels["residual 0"])
     panels["u 0"].legend(loc="lower left")
     panels["difference 0"].legend(loc="lower left")
     panels["residual 0"].legend(loc="upper right")
@@ -56,13 +58,13 @@ def _draw_profiles(axes: Axes, data: xr.Dataset) -> None:
 def _draw_difference(axes: Axes, data: xr.Dataset) -> None:
     """Difference of the two methods at every point of shooting."""
     for field, label, colour, marker in (
-        ("relative_displacement", "compression", GREEN, "."),
         ("velocity", "velocity", MAGENTA, "x"),
+        ("relative_displacement", "compression", GREEN, "."),
     ):
         difference = data[f"{field}_difference"]
         xi = difference["xi_shooting"]
         axes.semilogy(xi, np.abs(difference), marker, color=colour, markersize=2, label=label)
-    axes.set(ylabel="|difference|", xlabel=r"$\xi = n - ct$", ylim=(1e-18, 1e-11))
+    axes.set(ylabel="|difference|", xlabel=r"$\xi = n - ct$", ylim=(1e-17, 1e-12))
 
 
 def _draw_residuals(axes: Axes, data: xr.Dataset) -> None:

@@ -1,5 +1,7 @@
 """Exact fronts, driven chains and continuum fronts; after James (2021), section 6.3."""
 
+from typing import Any
+
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -7,8 +9,12 @@ from matplotlib.figure import Figure
 from drawing import write_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.panels import finish_grid
-from granular_fronts.output.style import CONTINUUM_LOOKS, LOOKS, new_figure
+from granular_fronts.output.style import BLACK, CONTINUUM_LOOKS, LOOKS, new_figure
 from job import job
+
+# Solid, so that green dashes are seen on it where both coincide.
+LINES = CONTINUUM_LOOKS | {"logarithmic": LOOKS["logarithmic"]._replace(linestyle="-")}
+FARTHEST_BEHIND = -20.0
 
 
 def fronts_compared(scenes: list[xr.Dataset]) -> Figure:
@@ -23,8 +29,11 @@ def fronts_compared(scenes: list[xr.Dataset]) -> Figure:
     figure, panels = new_figure(3.6, rows)
     for column, data in enumerate(scenes):
         profile, error = panels[f"u {column}"], panels[f"error {column}"]
+        profile.sharey(panels["u 0"])
         _draw_profiles(profile, data)
         _draw_errors(error, data)
+        for axes in (profile, error):
+            axes.set(xlim=(max(data["xi"][0], FARTHEST_BEHIND), data["xi"][-1]))
     panels["u 0"].set_ylabel(r"compression $u/\delta$")
     panels["error 0"].set_ylabel(r"error of $u/\delta$")
     finish_grid(figure, [panels[name] for name in rows[0]], r"$\xi = n - ct$", columns=5)
@@ -34,22 +43,23 @@ def fronts_compared(scenes: list[xr.Dataset]) -> Figure:
 def _draw_profiles(axes: Axes, data: xr.Dataset) -> None:
     """Compression of one front: exact, driven, and the three continuum models."""
     driven = data["relative_displacement_driven"]
-    axes.plot(driven["xi_driven"], driven, ".", color="0.6", markersize=4, label="driven chain")
-    for front, look in CONTINUUM_LOOKS.items():
-        axes.plot(data["xi"], data[f"relative_displacement_{front}"], **look._asdict())
+    circles: dict[str, Any] = {"color": BLACK, "markerfacecolor": "white", "label": "driven chain"}
+    axes.plot(driven["xi_driven"], driven, "o", zorder=3, **circles)
+    for front, look in LINES.items():
+        values = data[f"relative_displacement_{front}"]
+        axes.plot(data["xi"], values, linewidth=0.7, **look._asdict())
     axes.plot(data["xi"], data["relative_displacement"], **LOOKS["exact"]._asdict())
     law = configuration_of(data)["law"]
     axes.set_title(rf"$\alpha = {law['alpha']:g}$, $\gamma = {law['gamma']:g}$")
-    axes.set(xlim=(data["xi"][0], data["xi"][-1]))
 
 
 def _draw_errors(axes: Axes, data: xr.Dataset) -> None:
     """Difference of the compression of each continuum front from the exact one."""
-    for front, look in CONTINUUM_LOOKS.items():
+    for front, look in LINES.items():
         difference = data[f"relative_displacement_{front}"] - data["relative_displacement"]
-        axes.plot(data["xi"], difference, **look._asdict())
+        axes.plot(data["xi"], difference, linewidth=0.7, **look._asdict())
     axes.axhline(0.0, color="0.6", linewidth=0.5, linestyle="-")
-    axes.set(xlabel=r"$\xi = n - ct$", xlim=(data["xi"][0], data["xi"][-1]))
+    axes.set_xlabel(r"$\xi = n - ct$")
 
 
 if __name__ == "__main__":
