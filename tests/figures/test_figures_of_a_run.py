@@ -216,7 +216,7 @@ def test_gaps_wider_than_the_panel_of_figure_6_are_marked():
     for row, time in enumerate(data["t"].values[1:]):
         axes = panels[f"relative_displacement {row}"]
         wide = data[U].sel(t=time) < axes.get_ylim()[0]
-        marks = [line for line in axes.get_lines() if line.get_marker() == "v"]
+        marks = [line for line in axes.get_lines() if line.get_marker() == "|"]
         marked = [bead for line in marks for bead in line.get_xdata()]
         np.testing.assert_array_equal(marked, data["bead"].where(wide, drop=True))
 

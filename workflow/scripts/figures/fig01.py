@@ -21,6 +21,8 @@ def fig01(data: xr.Dataset) -> Figure:
     figure, panels = new_figure(3.5, [["steady", "snapshot"], ["transient", "transient"]])
     draw_probes(panels["steady"], data, "steady")
     label_peaks(panels["steady"])
+    for line in panels["steady"].get_lines():
+        line.set_linestyle("-")
     panels["steady"].set_title("far from the compressed end", pad=12)
     draw_probes(panels["transient"], data, "transient")
     panels["transient"].legend(loc="lower right", ncols=2)

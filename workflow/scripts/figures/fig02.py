@@ -48,11 +48,14 @@ def _draw_free_end(axes: Axes, u: xr.DataArray, arrivals: xr.DataArray, clip: fl
         "shading": "nearest",
     }
     inset.pcolormesh(u["bead"], u["t_grid"], u, rasterized=True, **look)
-    inset.set(xlim=(last - BEADS_AT_END, last), ylim=(0.96 * arrival, TIME_AT_END * arrival))
+    inset.set(xlim=(last - BEADS_AT_END, last - 0.5), ylim=(0.96 * arrival, TIME_AT_END * arrival))
+    inset.set_xticks([last - 20, last - 10])
     inset.tick_params(labelsize=6)
     opens = float(u.min()) < -0.01 * clip
     inset.set_title("last beads fly off" if opens else "last beads", fontsize=6)
-    axes.indicate_inset_zoom(inset, edgecolor="black", linewidth=0.5)
+    zoom = axes.indicate_inset_zoom(inset, edgecolor="black", linewidth=0.5)
+    for connector in (zoom.connectors or ())[:2]:
+        connector.set_visible(False)
 
 
 if __name__ == "__main__":

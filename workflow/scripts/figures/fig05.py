@@ -25,6 +25,7 @@ def fig05(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
         lower.sharey(upper)
         for axes, data in ((upper, weak), (lower, hertz)):
             draw_snapshot(axes, data[field].sel(t=0.0), field, color=CHAIN_COLOUR)
+            axes.set_xlim(0, int(data["bead"][-1]) + 1)
             axes.set_title(rf"$\alpha = {configuration_of(data)['law']['alpha']:g}$")
         upper.set_xlabel("")
     return figure

@@ -49,10 +49,10 @@ def _draw_snapshot(axes: Axes, snapshot: xr.Dataset, field: str) -> None:
     gaps = beads.where(beads < lowest, drop=True)
     if gaps.size:
         edge = np.full(gaps.size, lowest)
-        axes.plot(gaps["bead"], edge, "v", color=ALARM_COLOUR, clip_on=False)
+        axes.plot(gaps["bead"], edge, "|", color=ALARM_COLOUR, markersize=5, clip_on=False)
         axes.annotate(
             f"gap of {-float(gaps.min()):.2g}",
-            (float(gaps["bead"][gaps.values.argmin()]), lowest),
+            (float(gaps["bead"][-1]), lowest),
             xytext=(6, 2),
             textcoords="offset points",
             color=ALARM_COLOUR,
