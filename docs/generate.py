@@ -5,6 +5,7 @@ The manual's build writes them into docs/generated, so that no name, range or nu
 
 import inspect
 import re
+import shutil
 import sys
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -28,7 +29,7 @@ def write_pages(folder: Path, results: Path) -> None:
     Parameters
     ----------
     folder : Path
-        Where to; made where it is missing.
+        Where to; what is there goes.
     results : Path
         Results of a finished run of the workflow.
 
@@ -39,7 +40,9 @@ def write_pages(folder: Path, results: Path) -> None:
     """
     if not (results / "report.html").exists():
         raise SystemExit(f"The manual shows results, and {results} has none: run make first.")
-    folder.mkdir(exist_ok=True)
+    # The page of a project that was deleted is not kept.
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
     made = {
         "public_names": public_names(),
         **{f"api_{group.page}": group_page(group) for group in GROUPS},
@@ -50,10 +53,7 @@ def write_pages(folder: Path, results: Path) -> None:
         **pages_elsewhere(),
     }
     for name, text in made.items():
-        page = folder / f"{name}.md"
-        # An unchanged page is not read again by the build.
-        if not page.exists() or page.read_text(encoding="utf-8") != text:
-            page.write_text(text, encoding="utf-8")
+        (folder / f"{name}.md").write_text(text, encoding="utf-8")
 
 
 class Group(NamedTuple):
