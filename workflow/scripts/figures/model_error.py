@@ -25,8 +25,7 @@ def model_error(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
     for axes, data in zip(panels.values(), (weak, hertz), strict=True):
         for equation in ("logarithmic", "unlimited"):
             distance = data[f"relative_displacement_sup_{equation}"].isel(t_grid=slice(1, None))
-            look = LOOKS[equation]._replace(linestyle="-")
-            axes.plot(distance["t_grid"], distance, **look._asdict())
+            axes.plot(distance["t_grid"], distance, **LOOKS[equation]._asdict())
         exponent = configuration_of(data)["law"]["alpha"]
         axes.set(title=rf"$\alpha = {exponent:g}$", ylabel=r"largest error of $u/\delta$")
     axes.set(xlabel=TIME, xlim=(0, float(distance["t_grid"][-1])), ylim=(0, None))
