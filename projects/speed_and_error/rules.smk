@@ -72,7 +72,7 @@ rule draw_speed_error:
 
 
 rule speed_and_error:
-    """Time against error of our solvers and others; 20 minutes on a quiet machine."""
+    """Time against error of our solvers and others; 7 minutes on a quiet machine."""
     input:
         rules.tabulate_speed_error.output,
         rules.draw_speed_error.output,
