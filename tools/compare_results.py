@@ -1,6 +1,6 @@
 """Compare the numbers of two results folders, in units of the errors that they state.
 
-python workflow/scripts/compare_results.py saved results changes.csv
+python tools/compare_results.py saved results changes.csv
 
 A change of a variable is measured by the largest |after − before| over the sum of both stated
 errors.  The errors are its companion NAME_error, element by element, or else `error_estimate`.  At
