@@ -165,6 +165,16 @@ def test_a_drop_keeps_its_energy(folder):
     np.testing.assert_allclose(energy, weight * fall, rtol=1e-11)
 
 
+@pytest.mark.parametrize("name", ["plate_steel_viscoelastic", COLLISION])
+def test_collision_time_is_that_without_damping(name):
+    """After the contact beads move evenly, so that the last gap tells when they parted."""
+    problem = PROBLEMS[name]
+    undamped = problem.scene.plain() | {"law": {"alpha": 1.5, "gamma": 0.0}}
+    t, u, v = states(problem, simulate_chain(undamped))
+    speed = np.diff(v[-1], append=0.0 if problem.wall else [])[0]
+    assert t[-1] + u[-1, 0] / speed == pytest.approx(problem.collision_time, rel=1e-9)
+
+
 def test_every_problem_has_its_files_and_numbers(folder):
     table = [line.split(",") for line in (folder / "answers.csv").read_text().splitlines()]
     names = {path.name for path in folder.iterdir()} - {"answers.csv"}

@@ -101,6 +101,10 @@ class Law:
             return {"alpha": self.alpha, "beta": self.beta, "gamma": self.gamma}
         return {"elastic": self.elastic.describe(), "viscous": self._describe_viscous()}
 
+    def __repr__(self) -> str:
+        """Write the call that makes the law."""
+        return f"make_law({self.describe()})"
+
     def _describe_viscous(self):
         if self.viscous.factor == 0.0:
             return {"kind": "none"}

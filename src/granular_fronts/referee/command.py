@@ -65,7 +65,8 @@ def _list(problems, options):
     if options.json:
         print(json.dumps([problem.plain() for problem in problems.values()]))
     else:
-        print("\n".join(problem.title for problem in problems.values()))
+        for problem in problems.values():
+            print(f"{problem.title}; beads: {problem.scene.beads.count}; {problem.moved}")
     return 0
 
 

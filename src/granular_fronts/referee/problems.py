@@ -78,6 +78,11 @@ class Problem(Part):
         return f"{self.name}: alpha = 3/2, beta = {law.beta:g}, gamma = {law.gamma:.6g}"
 
     @property
+    def moved(self) -> str:
+        """What moves the beads, in words and numbers."""
+        return MOTIONS[self.motion].format(force=self.force, velocity=self.front_velocity)
+
+    @property
     def front_velocity(self) -> float:
         """Velocity δ^((α + 1)/2) of the beads behind a front, and of a bead that strikes."""
         return self.displacement ** (0.5 * (ALPHA + 1.0))
@@ -105,8 +110,11 @@ class Problem(Part):
 
     @property
     def collision_time(self) -> float:
-        """Time of a collision of two beads without damping at this velocity."""
-        return collision_time(ALPHA) * self.displacement ** (0.5 * (1.0 - ALPHA))
+        """Time of a collision without damping at this velocity, of two beads or with the plate."""
+        # The reduced mass is that of a bead in front of a plate, and half of it between two.
+        mass = 2.0 if self.wall else 1.0
+        time = collision_time(ALPHA) * mass ** (1.0 / (ALPHA + 1.0))
+        return time * self.displacement ** (0.5 * (1.0 - ALPHA))
 
 
 def collision_time(alpha: float) -> float:
@@ -178,7 +186,7 @@ def in_words(problem: Problem) -> str:
         name=problem.name,
         place=place.format(beads=scene.beads.count, gap=-float(problem.start[0][-1])),
         ends=ends,
-        moved=MOTIONS[problem.motion].format(force=problem.force, velocity=problem.front_velocity),
+        moved=problem.moved,
         beta=law.beta,
         gamma=law.gamma,
         less=law.beta - 1.0,
