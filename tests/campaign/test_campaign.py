@@ -8,6 +8,7 @@ import pytest
 from campaigns import (
     CHAINS,
     CHAINS_OF_A_LAW,
+    FRONTS,
     ROOT,
     TODA,
     all_chunks,
@@ -157,14 +158,14 @@ def test_few_new_values_are_gathered_in_few_chunks(tmp_path):
     assert [chunk.size for chunk in chunks.cut(asked, missing, 30)] == [15, 15, 15, 15]
 
 
-@pytest.mark.parametrize("content", [None, '{"kind": "chain", "sett'])
-def test_request_is_read_from_the_data_of_a_chunk_where_it_is_lost(tmp_path, content):
-    asked = campaign(axes={"delta": [1.0], "gamma": [0.3]})
+def test_request_is_read_from_the_data_of_a_chunk_where_it_is_damaged_or_lost(tmp_path):
+    asked = campaign(FRONTS, axes={"alpha": [1.5], "gamma": [0.3]})
     [chunk] = all_chunks(asked, 1)
     file = solve(chunk, tmp_path)
     request = file.with_suffix(".json")
-    request.unlink() if content is None else request.write_text(content)
-    known, missing = chunks.find_missing(asked, tmp_path)
-    assert (known, missing.any()) == ([chunk], False)
+    for spoil in (lambda: request.write_text('{"kind": "front", "sett'), request.unlink):
+        spoil()
+        known, missing = chunks.find_missing(asked, tmp_path)
+        assert (known, missing.any()) == ([chunk], False)
     file.write_text("cut")
     assert chunks.find_missing(asked, tmp_path)[1].all(), "without either it is cut anew"

@@ -77,6 +77,18 @@ def test_error_estimate_of_chains_bounds_the_error():
         assert 0.0 < error < 20.0 * coarse.errors[name]
 
 
+def test_errors_of_the_last_point_and_of_a_later_peak_are_stated():
+    """An undamped chain between two pressures swings on, and its first peak is not its largest."""
+    fixed = {"alpha": 1.5, "beads": 20, "delta": 1.0, "delta_right": 0.5}
+    axes = {"gamma": [0.0], "crossings": [2.2, 6.0]}
+    coarse, fine = (
+        solved(axes=axes, fixed=fixed, tolerance=relative) for relative in (1e-7, 1e-13)
+    )
+    assert fine.values["overshoot"][0, 1] > fine.values["first_peak"][0, 1]
+    error = abs(coarse.values["overshoot"] - fine.values["overshoot"])[0, 1]
+    assert 0.5 < coarse.errors["overshoot"] / error < 2.0
+
+
 def test_a_law_of_powers_gives_the_points_of_its_exponents():
     """Solved in the units of the law and in those of δ: James (2021), eq. (29)."""
     ends = {"beads": 30, "delta_right": 0.01}

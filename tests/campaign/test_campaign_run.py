@@ -1,6 +1,5 @@
 """Campaigns through the workflow: refused, run, interrupted, grown."""
 
-import contextlib
 import functools
 import os
 import re
@@ -161,45 +160,3 @@ def test_grown_campaign_solves_only_what_is_new_and_what_is_lost(project):
     first.unlink()
     second.with_suffix(".json").unlink()
     assert jobs_of(run_campaign(project, "short"))["solve_chunk"] == 1
-
-
-ON_A_SMALL_DISK = """
-set -e
-folder=results/data/campaigns/$1
-mkdir -p "$folder"
-mount -t tmpfs -o size=100k none "$folder"
-shift
-if "$@" > first.txt 2>&1; then exit 9; fi
-ls "$folder" > between.txt
-mount -o remount,size=100m "$folder"
-"$@" > second.txt 2>&1
-"""
-
-
-def can_mount():
-    command = ["unshare", "--user", "--map-root-user", "--mount", "mount", "-t", "tmpfs", "none"]
-    with contextlib.suppress(FileNotFoundError):
-        return subprocess.run([*command, "/mnt"], capture_output=True, check=False).returncode == 0
-    return False
-
-
-# Few machines let a test mount a disk; tests/output/test_files.py has a disk that is full.
-@pytest.mark.nightly
-@pytest.mark.skipif(not can_mount(), reason="no small disk can be mounted here")
-def test_full_disk_is_named_and_the_campaign_goes_on_when_there_is_space(project):
-    profile = {"start": -9, "stop": 9, "count": 999}
-    write_campaign(project, "disk", SHORT, record={"profile": profile})
-    unshare = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c", ON_A_SMALL_DISK]
-    command = [*unshare, "sh", "disk", *command_of("--config", "campaign=disk")]
-    run = subprocess.run(command, cwd=project, capture_output=True, text=True, check=False)
-    first, second, between = (
-        (project / f"{word}.txt").read_text() for word in ("first", "second", "between")
-    )
-    assert run.returncode == 0, run.stderr + first + second
-    assert "There is no space left in results/data/campaigns/disk: free some" in first
-    assert "Traceback" not in first
-    kept = [file for file in between.split() if file.endswith(".nc")]
-    assert len(kept) < 3
-    assert "unfinished" not in between
-    assert second.count("(Rule: solve_chunk)") == 3 - len(kept)
-    assert "Campaign disk: 6 points, 0 failed" in summary_of(project, "disk")
