@@ -5,15 +5,15 @@ import re
 
 import numpy as np
 import pytest
-from result_files import write_table
-from scipy.integrate import solve_ivp
+from newton import newton
+from result_files import PROBLEMS, answer_of, write_table
 
-from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.chain import simulate
 from granular_fronts.errors import InputError
 from granular_fronts.model.collision import restitution
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.referee.__main__ import main
-from granular_fronts.referee.answers import solve, states
+from granular_fronts.referee.answers import states
 from granular_fronts.referee.assessment import (
     Finding,
     damping_without_step,
@@ -32,19 +32,27 @@ from granular_fronts.referee.tolerances import move
 from granular_fronts.reference_methods.half_step import SCHEMES
 
 SETTINGS = read_settings().plain()
-LAWS, PROBLEMS = SETTINGS["laws"], load_problems()
+LAWS = SETTINGS["laws"]
 FRONT, COLLISION = "front_steel_viscoelastic", "collision_steel_dashpot"
 DROP, WAVE = "drop_undamped_hertz", "solitary_wave_undamped_hertz"
 SMALL = SETTINGS | {
     "laws": {"viscoelastic": 1.5, "dashpot": 1},
+    "factors": [0.97, 1, 1.07, 1.17],
     "motions": {
         "plate": {"beads": 1, "end_time": 20, "dampings": ["steel"]},
         "drop": {"beads": 1, "end_time": 20, "dampings": ["undamped"]},
-        "front": {"beads": 16, "end_time": 40, "dampings": ["steel", "overdamped"]},
+        "front": {"beads": 16, "end_time": 40, "dampings": ["steel"]},
         "collision": {"beads": 2, "end_time": 20, "dampings": ["steel"]},
         "striker": {"beads": 8, "end_time": 30, "dampings": ["steel"]},
         "contact_loss": {"beads": 8, "end_time": 40, "dampings": ["steel"]},
     },
+}
+
+# Of impacts alone by both laws.
+SHORT = {
+    name: problem
+    for name, problem in load_problems(SMALL).items()
+    if problem.motion in ("plate", "collision") or not name.endswith("dashpot")
 }
 
 
@@ -52,13 +60,13 @@ SMALL = SETTINGS | {
 def folder(tmp_path_factory):
     """Answers of a small set of problems."""
     place = tmp_path_factory.mktemp("referee")
-    write_problems(load_problems(SMALL), place / "answers.csv")
+    write_problems(SHORT, place / "answers.csv")
     return place
 
 
 @pytest.fixture(scope="module")
 def problem():
-    return load_problems(SMALL)[FRONT]
+    return SHORT[FRONT]
 
 
 def test_dampings_are_those_of_a_front():
@@ -170,7 +178,7 @@ def test_collision_time_is_that_without_damping(name):
     """After the contact beads move evenly, so that the last gap tells when they parted."""
     problem = PROBLEMS[name]
     undamped = problem.scene.plain() | {"law": {"alpha": 1.5, "gamma": 0.0}}
-    t, u, v = states(problem, simulate_chain(undamped))
+    t, u, v = states(problem, simulate.solve(undamped).dataset)
     speed = np.diff(v[-1], append=0.0 if problem.wall else [])[0]
     assert t[-1] + u[-1, 0] / speed == pytest.approx(problem.collision_time, rel=1e-9)
 
@@ -178,7 +186,7 @@ def test_collision_time_is_that_without_damping(name):
 def test_every_problem_has_its_files_and_numbers(folder):
     table = [line.split(",") for line in (folder / "answers.csv").read_text().splitlines()]
     names = {path.name for path in folder.iterdir()} - {"answers.csv"}
-    assert {row[0] for row in table[1:]} == names == load_problems(SMALL).keys()
+    assert {row[0] for row in table[1:]} == names == SHORT.keys()
     assert all(0.0 < float(row[3]) < 1e-9 for row in table[1:] if row[1][:7] != "contact")
     assert any(row[1] == "time of the first gap" for row in table if row[0][:12] == "contact_loss")
     answer = read_dataset(folder / FRONT / "answer.nc")
@@ -296,38 +304,24 @@ def test_overdamped_front_has_no_measurement():
     assert np.isnan(first_peak(np.arange(4.0), np.arange(4.0), np.ones(4))).all()
 
 
-@pytest.fixture(scope="module")
-def wave():
-    return solve(PROBLEMS[WAVE])
-
-
-def test_a_solitary_wave_by_another_integrator(wave):
+@pytest.mark.parametrize("name", [FRONT, "contact_loss_steel_viscoelastic", DROP])
+def test_answers_are_those_of_newtons_law(folder, name):
     """SciPy's DOP853 knows nothing of strains, of contacts that open, or of refinement."""
-    scene = PROBLEMS[WAVE].scene
-
-    def rates(_, state):
-        x, v = np.split(state, 2)
-        force = np.pad(np.maximum(x[:-1] - x[1:], 0.0) ** 1.5, 1)
-        return np.concatenate([v, force[:-1] - force[1:]])
-
-    start = np.concatenate([np.zeros(scene.beads.count), scene.start.velocity])
-    # Steps across contacts that open and close cost SciPy accuracy.
-    limits = {"rtol": 1e-13, "atol": 1e-16, "max_step": 0.05}
-    found = solve_ivp(rates, (0.0, scene.end_time), start, "DOP853", wave["t"], **limits)
-    x, v = np.split(found.y.T, 2, axis=1)
-    np.testing.assert_allclose(v, wave["velocity"], rtol=0, atol=2e-12)
-    np.testing.assert_allclose(-np.diff(x), wave["relative_displacement"], rtol=0, atol=3e-10)
-    last = [f"velocity of bead {n} at the end" for n in (38, 39, 40)]
-    listed = wave["value"].sel(quantity=last)
-    np.testing.assert_allclose(v[-1, -3:], listed, rtol=0, atol=2e-12)
-    # Without damping momentum and energy are those of the striker, and all beads have parted.
-    assert v[-1].sum() == pytest.approx(0.1**1.25, rel=1e-12)
-    assert (v[-1] ** 2).sum() == pytest.approx(0.1**2.5, rel=1e-11)
-    assert (np.diff(v[-1]) > 0.0).all()
+    scene = SHORT[name].scene
+    last = read_dataset(folder / name / "answer.nc").isel(t=-1)
+    held = np.zeros(scene.beads.count - scene.contact_count)
+    found = np.concatenate([last["relative_displacement"], held, last["velocity"]])
+    np.testing.assert_allclose(found, newton(scene), rtol=0, atol=1e-10)
 
 
-def test_a_solitary_wave_has_the_speed_of_its_force(wave):
+def test_a_solitary_wave_keeps_its_laws_and_has_the_speed_of_its_force():
     """The answer's between states 0.5 apart is that of the exact wave, and not of long waves."""
+    wave = answer_of(WAVE)
+    v = wave["velocity"].values[-1]
+    # Without damping momentum and energy are those of the striker, and all beads have parted.
+    assert v.sum() == pytest.approx(0.1**1.25, rel=1e-12)
+    assert (v**2).sum() == pytest.approx(0.1**2.5, rel=1e-11)
+    assert (np.diff(v) > 0.0).all()
     exact = wave.sel(quantity="speed over the sixth root of the force")
     assert exact["value"] == pytest.approx(1.4873593743493956**-0.25, rel=1e-13)
     assert 0.0 < exact["value_error"] < 1e-13
@@ -337,7 +331,7 @@ def test_a_solitary_wave_has_the_speed_of_its_force(wave):
 
 def test_errors_of_every_motion_fall_with_the_step(folder):
     """By order one, though not evenly where the force of a dashpot jumps."""
-    for name, problem in load_problems(SMALL).items():
+    for name, problem in SHORT.items():
         answer = read_dataset(folder / name / "answer.nc")
         coarse, fine = (find(problem, answer, move(problem, step)).error for step in (0.1, 0.00625))
         assert coarse / fine > (8.0 if problem.scene.law.gamma else 200.0), name
@@ -347,17 +341,15 @@ def test_peak_between_states_is_close_to_that_of_the_motion():
     """The number in the docstring of `measurements`, for the front that overshoots most."""
     problem = PROBLEMS["front_glass_viscoelastic"]
     scene = problem.scene.plain()
-
-    def measurement(interval):
-        record = scene["record"] | {"grid": {"step": interval}}
-        return read_motion(problem, *states(problem, simulate_chain(scene | {"record": record})))
-
-    assert 1e-4 < 1.0 - measurement(0.5) / measurement(0.05) < 1.3e-4
+    record = scene["record"] | {"grid": {"step": 0.05}}
+    fine = states(problem, simulate.solve(scene | {"record": record}).dataset)
+    coarse = (values[::10] for values in fine)
+    assert 1e-4 < 1.0 - read_motion(problem, *coarse) / read_motion(problem, *fine) < 1.3e-4
 
 
 @pytest.mark.parametrize("name", [FRONT, DROP])
 def test_figure_shows_answer_and_results(folder, name):
-    problem, answer = load_problems(SMALL)[name], read_dataset(folder / name / "answer.nc")
+    problem, answer = SHORT[name], read_dataset(folder / name / "answer.nc")
     results = [move(problem, step) for step in (0.25, 0.1, 0.05)]
     findings = [find(problem, answer, result) for result in results]
     motion, error = draw(problem, answer, results, findings).axes
