@@ -20,10 +20,8 @@ U, V = "relative_displacement", "velocity"
 RINGS = {"weak": "periodic/weak", "hertz": "periodic/hertz"}
 FRONTS = {"underdamped": "fronts/underdamped", "overdamped": "fronts/overdamped"}
 MODELS = ("logarithmic", "unlimited", "heteroclinic")
-MULTIPLIERS = [
-    *["essential_multiplier_imaginary over essential_multiplier_real"] * 2,
-    *["multiplier_imaginary over multiplier_real"] * 3,
-]
+WAVES = ["essential_multiplier_imaginary over essential_multiplier_real"] * 2
+WINDOW = ["multiplier_imaginary over multiplier_real"]
 
 FIGURES = {
     "fig01": {"data": "chain/initiation_underdamped"},
@@ -58,8 +56,8 @@ SHOWN = {
         *["flux_limit over force", "force over force"],
     ],
     "fig04 front": ["front over xi", "front over xi", "front_limit over xi"],
-    "fig05 relative_displacement *": [f"{U} over bead"],
-    "fig05 velocity *": [f"{V} over bead"],
+    "fig05 relative_displacement": [f"{U} over bead"],
+    "fig05 velocity": [f"{V} over bead"],
     "fig06 relative_displacement *": [f"{U}_logarithmic over site", f"{U} over bead"],
     "fig06 velocity *": [f"{V}_logarithmic over site", f"{V} over bead"],
     "fig08 well": ["potential over y"],
@@ -72,13 +70,15 @@ SHOWN = {
         f"{U} over xi",
     ],
     "continuum_errors": [f"distance_{model} over gamma" for model in MODELS],
-    "critical_damping plane": [
+    "critical_damping": [
         *(f"critical_damping_{name} over alpha" for name in ("tail", "double_root")),
         *(f"critical_damping_{name} over alpha" for name in ("long_wave", "overshoot")),
         *["second_peak_leads over alpha", "first_peak_stays_below over alpha"],
     ],
-    "multipliers underdamped": MULTIPLIERS,
-    "multipliers overdamped": MULTIPLIERS,
+    "multipliers underdamped": WAVES + WINDOW,
+    "multipliers overdamped": WAVES + WINDOW,
+    "multipliers underdamped near 1": WAVES + 3 * WINDOW,
+    "multipliers overdamped near 1": WAVES + 3 * WINDOW,
     "damping_regimes gamma": ["gamma over velocity_ratio"],
     "damping_regimes restitution": ["restitution over velocity_ratio"],
     "numerical_damping profile": [f"{U}_{run} over bead" for run in ("conservative", "damped")]
@@ -239,7 +239,8 @@ def test_the_phase_portrait_holds_its_orbit():
 def test_multipliers_that_rounding_moves_are_left_out():
     [data], panels = picture("multipliers")
     for scene in data["scene"].values:
-        windows = [line for line in curves(panels[scene]) if "behind" in str(line.get_label())]
+        lines = curves(panels[f"{scene} near 1"])
+        windows = [line for line in lines if "behind" in str(line.get_label())]
         for line, behind in zip(windows, data["beads_behind"].values, strict=True):
             rounding = data["multiplier_rounding"].sel(scene=scene, beads_behind=behind).values
             absent = np.isnan(data["multiplier_real"].sel(scene=scene, beads_behind=behind).values)

@@ -15,10 +15,13 @@ from granular_fronts.output.style import LOOKS, new_figure
 from job import job
 
 HIGHEST_GAMMA = 1.2
+# Exponent and damping where the meanings part from each other.
+NEAR_ALPHA, LEAST_NEAR, MOST_NEAR = (1.0, 1.45), 0.07, 0.34
 # Places of the regions, as shares of the sides of the panel.
 REGIONS = {"fronts are monotone": (0.3, 0.9), "fronts oscillate": (0.6, 0.15)}
 # Line widths: dashes lie on the wider line where both coincide.
 PEAKS = {"second_peak_leads": 1.4, "first_peak_stays_below": 0.7}
+EDGE = [withStroke(linewidth=2, foreground="white")]
 
 
 def critical_damping(data: xr.Dataset, materials: xr.Dataset) -> Figure:
@@ -31,33 +34,44 @@ def critical_damping(data: xr.Dataset, materials: xr.Dataset) -> Figure:
     materials : xarray.Dataset
         Beads of remark 6.
     """
-    figure, panels = new_figure(3.7, [["plane"]])
-    axes = panels["plane"]
-    _draw_overshoot(axes, data)
+    figure, panels = new_figure(3.3, [["plane", "near"]])
+    plane, near = panels.values()
+    for axes in (plane, near):
+        colours = _draw_overshoot(axes, data)
+        _draw_curves(axes, data)
+        axes.set(xlabel=r"exponent $\alpha$ of the contact force", ylabel=r"damping $\gamma c$")
+    look: dict[str, Any] = {"ax": [plane, near], "location": "bottom", "aspect": 60}
+    bar = figure.colorbar(colours, label="overshoot of the front", **look)
+    bar.ax.xaxis.set_major_formatter(lambda value, _: f"{100.0 * value:g} %")
+    _draw_materials(plane, materials)
+    for words, place in REGIONS.items():
+        plane.text(*place, words, transform=plane.transAxes, path_effects=EDGE)
+    plane.set(yscale="log", ylim=(data["gamma"][0], HIGHEST_GAMMA))
+    plane.set(xlim=(1.0, data["alpha"][-1]))
+    near.set(xlim=NEAR_ALPHA, ylim=(max(LEAST_NEAR, float(data["gamma"][0])), MOST_NEAR))
+    plane.indicate_inset(near.viewLim.bounds, edgecolor="black", linewidth=0.7, alpha=1.0)
+    plane.text(*near.viewLim.max, "(b)", ha="right", va="bottom")
+    figure.legend(*plane.get_legend_handles_labels(), loc="outside upper center", ncols=3)
+    return figure
+
+
+def _draw_curves(axes: Axes, data: xr.Dataset) -> None:
+    """Critical damping in its meanings, and the exponent where two of them part."""
     for name in ("tail", "double_root", "long_wave", "overshoot"):
         axes.plot(
             data["alpha"],
             data[f"critical_damping_{name}"],
-            path_effects=[withStroke(linewidth=1.9, foreground="white")],
+            path_effects=EDGE,
             **LOOKS[name]._asdict(),
         )
     for name, width in PEAKS.items():
         axes.plot(data["alpha"], data[name], linewidth=width, **LOOKS[name]._asdict())
-    _draw_materials(axes, materials)
     exchange = data.attrs["exchange_exponent"]
-    edge = [withStroke(linewidth=2, foreground="white")]
-    axes.axvline(exchange, color="black", linewidth=0.7, linestyle=":", path_effects=edge)
+    axes.axvline(exchange, color="black", linewidth=0.7, linestyle=":", path_effects=EDGE)
     axes.text(exchange, 0.95, r" $\alpha^*$", transform=axes.get_xaxis_transform(), va="top")
-    for words, place in REGIONS.items():
-        axes.text(*place, words, transform=axes.transAxes, path_effects=edge)
-    axes.set(xlabel=r"exponent $\alpha$ of the contact force", ylabel=r"damping $\gamma c$")
-    axes.set(yscale="log", ylim=(data["gamma"][0], HIGHEST_GAMMA))
-    axes.set(xlim=(1.0, data["alpha"][-1]))
-    figure.legend(*axes.get_legend_handles_labels(), loc="outside upper center", ncols=2)
-    return figure
 
 
-def _draw_overshoot(axes: Axes, data: xr.Dataset) -> None:
+def _draw_overshoot(axes: Axes, data: xr.Dataset) -> ScalarMappable:
     """Overshoot max u − 1 between its level curves; white below what is called too small to see."""
     levels = [data.attrs["overshoot_cut"], *data["level"].values]
     # A level that is passed below the panel, or nowhere, ends at its lower edge.
@@ -67,14 +81,11 @@ def _draw_overshoot(axes: Axes, data: xr.Dataset) -> None:
     for level, upper, lower in zip(levels, curves, curves[1:], strict=False):
         colour = colours.to_rgba(level)
         axes.fill_between(data["alpha"], lower, upper, color=colour, linewidth=0.0)
-    look: dict[str, Any] = {"location": "bottom", "aspect": 30, "ticks": levels}
-    bar = axes.figure.colorbar(colours, ax=axes, label="overshoot of the front", **look)
-    bar.ax.xaxis.set_major_formatter(lambda value, _: f"{100.0 * value:g} %")
+    return colours
 
 
 def _draw_materials(axes: Axes, materials: xr.Dataset) -> None:
     """The places of real beads in the plane of exponent and damping."""
-    edge = [withStroke(linewidth=2, foreground="white")]
     alpha = materials.attrs["alpha"]
     for gamma in materials["gamma_printed"]:
         axes.plot(alpha, gamma, "o", color="black", markeredgecolor="white", markersize=5)
@@ -85,7 +96,7 @@ def _draw_materials(axes: Axes, materials: xr.Dataset) -> None:
             textcoords="offset points",
             va="center",
             fontweight="bold",
-            path_effects=edge,
+            path_effects=EDGE,
         )
 
 

@@ -6,28 +6,28 @@ from matplotlib.figure import Figure
 from drawing import write_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.panels import FIELD_LABELS, draw_snapshot
-from granular_fronts.output.style import CHAIN_COLOUR, new_figure
+from granular_fronts.output.style import BLUE, GREEN, new_figure
 from job import job
 
 
 def fig05(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
-    """Draw relative displacements and velocities at t = 0, a row for each exponent.
+    """Draw relative displacements and velocities at t = 0, of both exponents.
 
     Parameters
     ----------
     weak, hertz : xarray.Dataset
         The two periodic scenes.
     """
-    rows = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(2)]
-    figure, panels = new_figure(2.7, rows, sharex=True)
-    for field in FIELD_LABELS:
-        upper, lower = (panels[f"{field} {row}"] for row in range(2))
-        lower.sharey(upper)
-        for axes, data in ((upper, weak), (lower, hertz)):
-            draw_snapshot(axes, data[field].sel(t=0.0), field, color=CHAIN_COLOUR)
-            axes.set_xlim(0, int(data["bead"][-1]) + 1)
-            axes.set_title(rf"$\alpha = {configuration_of(data)['law']['alpha']:g}$")
-        upper.set_xlabel("")
+    figure, panels = new_figure(3.2, [[field] for field in FIELD_LABELS], sharex=True)
+    # Dots lie in the circles where both exponents have the same value.
+    circles = {"color": GREEN, "marker": "o", "markersize": 3, "fillstyle": "none"}
+    for field, axes in panels.items():
+        for data, look in ((weak, circles), (hertz, {"color": BLUE})):
+            label = rf"$\alpha = {configuration_of(data)['law']['alpha']:g}$"
+            draw_snapshot(axes, data[field].sel(t=0.0), field, label=label, **look)
+        axes.set_xlim(0, int(data["bead"][-1]) + 1)
+    panels["relative_displacement"].set_xlabel("")
+    panels["relative_displacement"].legend(loc="upper right")
     return figure
 
 

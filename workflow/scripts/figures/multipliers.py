@@ -28,15 +28,17 @@ def multipliers(data: xr.Dataset) -> Figure:
     data : xarray.Dataset
         The multipliers.
     """
-    fronts = list(data["scene"].values)
+    fronts, windows = list(data["scene"].values), range(data.sizes["beads_behind"])
     near = [f"{front} near 1" for front in fronts]
     figure, panels = new_figure(4.1, [[*fronts, "gap"], [*near, "."]])
     for name, zoomed, front in zip(fronts, near, fronts, strict=True):
-        _draw_spectrum(panels[name], data.sel(scene=front), 1.5)
-        panels[name].set_title(_law(data.sel(scene=front)))
-        _draw_spectrum(panels[zoomed], data.sel(scene=front), 3.0)
-        panels[zoomed].set(xlim=(1.0 - NEAR, 1.0 + 0.1 * NEAR), ylim=(-0.55 * NEAR, 0.55 * NEAR))
-        panels[name].indicate_inset(panels[zoomed].viewLim.bounds, edgecolor="black", linewidth=0.5)
+        whole, near_one, spectra = panels[name], panels[zoomed], data.sel(scene=front)
+        _draw_spectrum(whole, spectra, windows[-1:], 1.5)
+        whole.set_title(_law(spectra))
+        _draw_spectrum(near_one, spectra, windows, 3.0)
+        near_one.set(xlim=(1.0 - NEAR, 1.0 + 0.1 * NEAR), ylim=(-0.55 * NEAR, 0.55 * NEAR))
+        whole.indicate_inset(near_one.viewLim.bounds, edgecolor="black", linewidth=0.7, alpha=1.0)
+        whole.text(1.0 - NEAR, NEAR, near_one.get_title("left"), ha="right")
     gap = panels["gap"]
     _draw_gap(gap, data)
     # Both legends are below it, in the empty place of the figure.
@@ -47,8 +49,8 @@ def multipliers(data: xr.Dataset) -> Figure:
     return figure
 
 
-def _draw_spectrum(axes: Axes, data: xr.Dataset, markersize: float) -> None:
-    """The unit circle, waves in the compressed chain behind the front, and every window."""
+def _draw_spectrum(axes: Axes, data: xr.Dataset, windows: range, markersize: float) -> None:
+    """The unit circle, waves in the compressed chain behind the front, and some windows."""
     axes.plot(CIRCLE.real, CIRCLE.imag, "-", color="black", linewidth=0.5)
     for branch in data["branch"].values:
         real, imaginary = (
@@ -57,8 +59,8 @@ def _draw_spectrum(axes: Axes, data: xr.Dataset, markersize: float) -> None:
         )
         label = "waves of the compressed chain" if branch == data["branch"].values[0] else None
         axes.plot(real, imaginary, ".", color="0.8", markersize=2, label=label)
-    for number, behind in enumerate(data["beads_behind"].values):
-        spectrum = data.sel(beads_behind=behind)
+    for number in windows:
+        spectrum = data.isel(beads_behind=number)
         spectrum = spectrum.where(spectrum["multiplier_rounding"] < LARGEST_ROUNDING)
         axes.plot(
             spectrum["multiplier_real"],
@@ -67,7 +69,7 @@ def _draw_spectrum(axes: Axes, data: xr.Dataset, markersize: float) -> None:
             color=PROBE_COLOURS[number % len(PROBE_COLOURS)],
             fillstyle="none",
             markersize=markersize,
-            label=f"front, {behind} beads behind",
+            label=f"front, {int(spectrum['beads_behind'])} beads behind",
         )
     axes.plot(1.0, 0.0, "+", color="black", markersize=7, label="translation")
     axes.set(xlabel=r"Re $z$", ylabel=r"Im $z$", aspect="equal")
