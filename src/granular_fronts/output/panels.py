@@ -57,7 +57,7 @@ def draw_spacetime(
     """Colour the (n, t) plane by a field on (t_grid, bead), bead across and time upwards.
 
     With limits that are centred on 0 contacts at rest are white; wider gaps have one red.  The
-    scale above begins where the data do.
+    scale above begins and ends where the data do.
     """
     image = axes.pcolormesh(
         values["bead"],
@@ -70,7 +70,8 @@ def draw_spacetime(
         rasterized=True,
     )
     axes.set(xlabel=BEAD, ylabel=TIME)
-    extend = "min" if float(values.min()) < limits[0] else "neither"
+    lowest, highest = float(values.min()), float(values.max())
+    extend = "min" if lowest < limits[0] else "neither"
     bar = axes.figure.colorbar(
         image,
         ax=axes,
@@ -80,7 +81,7 @@ def draw_spacetime(
         aspect=30,
         ticks=MaxNLocator(5),
     )
-    bar.ax.set_xlim(left=max(limits[0], min(0.0, float(values.min()))))
+    bar.ax.set_xlim(max(limits[0], min(0.0, lowest)), min(limits[1], highest))
 
 
 def name_waves(axes: Axes, arrivals: xr.DataArray) -> None:
@@ -89,7 +90,7 @@ def name_waves(axes: Axes, arrivals: xr.DataArray) -> None:
     edge = [withStroke(linewidth=2, foreground="white")]
     if np.isnan(arrivals[-2]):
         return  # The front has not crossed the chain.
-    axes.text(0.56 * last, 0.4 * arrival, "front", path_effects=edge)
+    axes.text(0.56 * last, 0.35 * arrival, "front", path_effects=edge)
     if 1.3 * arrival < end:
         axes.text(0.1 * last, 1.3 * arrival, "reflected wave", path_effects=edge)
     axes.text(0.62 * last, 0.15 * arrival, "at rest", color="0.5")

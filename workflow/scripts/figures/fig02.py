@@ -53,9 +53,10 @@ def _draw_free_end(axes: Axes, u: xr.DataArray, arrivals: xr.DataArray, clip: fl
     inset.tick_params(labelsize=6)
     opens = float(u.min()) < -0.01 * clip
     inset.set_title("last beads fly off" if opens else "last beads", fontsize=6)
-    zoom = axes.indicate_inset_zoom(inset, edgecolor="black", linewidth=0.5)
-    for connector in (zoom.connectors or ())[:2]:
-        connector.set_visible(False)
+    axes.indicate_inset(inset.viewLim.bounds, edgecolor="black", linewidth=0.5)
+    line: dict[str, Any] = {"arrowprops": {"arrowstyle": "-", "linewidth": 0.5}}
+    box = inset.viewLim
+    axes.annotate("", (box.x0, box.y1), xytext=(1, 0), textcoords=inset.transAxes, **line)
 
 
 if __name__ == "__main__":

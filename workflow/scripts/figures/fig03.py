@@ -1,5 +1,6 @@
 """Figure 3: a front is initiated by constant pressure, strong damping; James (2021), figure 3."""
 
+import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
@@ -8,6 +9,9 @@ from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.panels import WIDEST, draw_probes, draw_spacetime, name_waves
 from granular_fronts.output.style import new_figure
 from job import job
+
+# A change of compression, over the largest, that is too small to see in the upper panel.
+UNSEEN = 1e-3
 
 
 def fig03(data: xr.Dataset) -> Figure:
@@ -21,6 +25,11 @@ def fig03(data: xr.Dataset) -> Figure:
     clip = WIDEST * configuration_of(data)["boundary"]["left"]
     figure, panels = new_figure(4.6, [["transient"], ["displacement"]])
     draw_probes(panels["transient"], data, "transient")
+    probes = data["relative_displacement_transient"]
+    moving = np.abs(probes - probes[-1]) > UNSEEN * probes.max()
+    settled = probes["t_transient"].where(moving).max()
+    # Of a number and NaN, which is where nothing moves, `fmin` is the number.
+    panels["transient"].set_xlim(right=float(np.fmin(probes["t_transient"][-1], 1.15 * settled)))
     panels["transient"].legend(loc="lower right")
     panels["transient"].set_title("near the compressed end")
     draw_spacetime(

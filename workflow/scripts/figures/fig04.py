@@ -21,20 +21,16 @@ def fig04(data: xr.Dataset) -> Figure:
     figure, panels = new_figure(3.7, [["flux"], ["front"]])
     for alpha, (colour, line) in zip(data["alpha"].values, EXPONENT_LOOKS, strict=False):
         case = data.sel(alpha=alpha)
-        label = rf"$\alpha = {alpha:g}$"
-        panels["flux"].plot(data["force"], case["flux"], linestyle=line, color=colour)
-        panels["flux"].plot(data["force"], case["compression"], ":", color=colour)
-        panels["front"].plot(data["xi"], case["front"], linestyle=line, color=colour, label=label)
-    limit: dict[str, Any] = {
-        "color": "black",
-        "linestyle": "-",
-        "label": r"$\alpha \to 1^+$: logarithmic",
-    }
-    panels["flux"].plot(data["force"], data["flux_limit"], **limit)
-    panels["flux"].plot(data["force"], data["force"], ":", color="black")
+        look: dict[str, Any] = {"color": colour, "linestyle": line}
+        panels["flux"].plot(data["force"], case["flux"], label=rf"$\alpha = {alpha:g}$", **look)
+        panels["flux"].plot(data["force"], case["compression"], **look)
+        panels["front"].plot(data["xi"], case["front"], **look)
+    limit: dict[str, Any] = {"color": "black", "linestyle": "-"}
+    panels["flux"].plot(data["force"], data["flux_limit"], label=r"$\alpha \to 1^+$", **limit)
+    panels["flux"].plot(data["force"], data["force"], **limit)
     panels["front"].plot(data["xi"], data["front_limit"], **limit)
-    panels["flux"].text(0.5, 0.75, r"compression $y^{1/\alpha}$", ha="right")
-    panels["flux"].text(0.98, -0.45, r"flux $f_\alpha(y)$", ha="right")
+    panels["flux"].text(0.98, 0.5, r"compression $y^{1/\alpha}$", ha="right")
+    panels["flux"].text(0.98, -0.43, r"flux $f_\alpha(y)$", ha="right")
     panels["flux"].axhline(0.0, color="0.6", linewidth=0.5, linestyle="-")
     panels["flux"].set(
         xlabel="force $y$, over its value behind", ylabel=r"$f_\alpha(y)$ and $y^{1/\alpha}$"
@@ -42,7 +38,7 @@ def fig04(data: xr.Dataset) -> Figure:
     panels["flux"].set(xlim=(0, 1), title="flux of the equation, and compression")
     panels["front"].set(xlabel=r"place $\xi$", ylabel=r"compression $y_\alpha^{1/\alpha}$")
     panels["front"].set(xlim=(-6, 4), title="its front")
-    panels["front"].legend()
+    panels["flux"].legend(loc="upper left")
     return figure
 
 

@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from drawing import write_figure
+from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.panels import BEAD, FIELD_LABELS, finish_grid
 from granular_fronts.output.style import ALARM_COLOUR, CHAIN_COLOUR, EQUATION_COLOUR, new_figure
 from job import job
@@ -24,7 +25,7 @@ def fig06(data: xr.Dataset) -> Figure:
     data : xarray.Dataset
         Periodic scene weak for figure 6, and hertz for figure 7.
     """
-    data = data.isel(t=slice(1, None))
+    data, alpha = data.isel(t=slice(1, None)), configuration_of(data)["law"]["alpha"]
     rows = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(data.sizes["t"])]
     figure, panels = new_figure(1.1 * len(rows) + 0.4, rows, sharex=True)
     for row, names in enumerate(rows):
@@ -32,7 +33,7 @@ def fig06(data: xr.Dataset) -> Figure:
             highest = float(data[field].max())
             panels[name].set_ylim(-BELOW * highest, 1.08 * highest)
             _draw_snapshot(panels[name], data.isel(t=row), field)
-        panels[names[0]].set_title(f"$t = {float(data['t'][row]):g}$")
+        panels[names[0]].set_title(rf"$\alpha = {alpha:g}$, $t = {float(data['t'][row]):g}$")
     finish_grid(figure, [panels[name] for name in rows[-1]], BEAD)
     return figure
 
@@ -51,7 +52,7 @@ def _draw_snapshot(axes: Axes, snapshot: xr.Dataset, field: str) -> None:
         edge = np.full(gaps.size, lowest)
         axes.plot(gaps["bead"], edge, "|", color=ALARM_COLOUR, markersize=5, clip_on=False)
         axes.annotate(
-            f"gap of {-float(gaps.min()):.2g}",
+            f"$u_{{{int(gaps.idxmin())}}} = {float(gaps.min()):.2g}$",
             (float(gaps["bead"][-1]), lowest),
             xytext=(6, 2),
             textcoords="offset points",
