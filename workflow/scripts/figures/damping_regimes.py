@@ -12,9 +12,11 @@ from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import PROBE_COLOURS, new_figure
 from job import job
 
-SHOWN_GAMMA = (0.03, 30.0)
+SHOWN_GAMMA = (0.02, 50.0)
 SHORT_DASHES = (0, (2, 1))
 MARKERS = "os^v"
+# The first velocities with a mark: marks of laws are beside each other where their lines meet.
+MARKED = (4, 7, 10, 1)
 
 
 def damping_regimes(data: xr.Dataset) -> Figure:
@@ -28,20 +30,18 @@ def damping_regimes(data: xr.Dataset) -> Figure:
     figure, panels = new_figure(4.2, [["gamma"], ["restitution"]])
     alpha = configuration_of(data)["alpha"]
     names = {1.0: "dashpot", alpha: "Kuwabara–Kono", alpha + 1.0: "Simon–Hunt–Crossley"}
-    looks = cycle(zip(PROBE_COLOURS, MARKERS, strict=False))
-    for beta, (colour, marker) in zip(data["beta"].values, looks, strict=False):
+    looks = cycle(zip(PROBE_COLOURS, MARKERS, MARKED, strict=False))
+    for beta, (colour, marker, first) in zip(data["beta"].values, looks, strict=False):
         law = data.sel(beta=beta)
-        _draw_gamma(panels["gamma"], law, colour, marker)
+        marks = {"marker": marker, "fillstyle": "none", "markevery": (first, 12)}
+        _draw_gamma(panels["gamma"], law, colour, marks)
         panels["restitution"].semilogx(
             law["velocity_ratio"],
             law["restitution"],
             linestyle="-",
             color=colour,
-            marker=marker,
-            fillstyle="none",
-            markevery=12,
-            clip_on=False,
             label=", ".join(filter(None, [rf"$\beta = {beta:g}$", names.get(beta)])),
+            **marks,
         )
     ends = float(data["velocity_ratio"][0]), float(data["velocity_ratio"][-1])
     panels["gamma"].set(
@@ -62,14 +62,13 @@ def damping_regimes(data: xr.Dataset) -> Figure:
     return figure
 
 
-def _draw_gamma(axes: Axes, law: xr.Dataset, colour: str, marker: str) -> None:
+def _draw_gamma(axes: Axes, law: xr.Dataset, colour: str, marks: dict[str, Any]) -> None:
     """γ against velocity, solid where fronts are overdamped, over dashes everywhere."""
-    # The dashes go on below the solid line, since the damping where both meet lies between two
-    # points.
+    # The dashes go on below the broader solid line, since the damping where both meet lies between
+    # two points.
+    dashes = {"linestyle": SHORT_DASHES, "linewidth": 0.6} | marks
     overdamped = law["gamma"].where(law["gamma"] >= law["critical_gamma"])
-    # Marks are between the powers of ten, because all lines cross at one of them.
-    marks: dict[str, Any] = {"marker": marker, "fillstyle": "none", "markevery": (6, 12)}
-    axes.loglog(law["velocity_ratio"], law["gamma"], linestyle=SHORT_DASHES, color=colour, **marks)
+    axes.loglog(law["velocity_ratio"], law["gamma"], color=colour, **dashes)
     axes.loglog(law["velocity_ratio"], overdamped, "-", color=colour)
 
 

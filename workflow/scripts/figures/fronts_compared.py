@@ -12,8 +12,9 @@ from granular_fronts.output.panels import finish_grid
 from granular_fronts.output.style import BLACK, CONTINUUM_LOOKS, LOOKS, new_figure
 from job import job
 
-# Solid, so that green dashes are seen on it where both coincide.
-LINES = CONTINUUM_LOOKS | {"logarithmic": LOOKS["logarithmic"]._replace(linestyle="-")}
+LINES = {name: look._asdict() | {"linewidth": 0.7} for name, look in CONTINUUM_LOOKS.items()}
+# Broad and pale, so that green dashes are seen on it where both coincide.
+LINES["logarithmic"] |= {"linestyle": "-", "linewidth": 2.0, "alpha": 0.4}
 FARTHEST_BEHIND = -20.0
 
 
@@ -33,7 +34,9 @@ def fronts_compared(scenes: list[xr.Dataset]) -> Figure:
         _draw_profiles(profile, data)
         _draw_errors(error, data)
         for axes in (profile, error):
-            axes.set(xlim=(max(data["xi"][0], FARTHEST_BEHIND), data["xi"][-1]))
+            # So that circles at the ends are whole.
+            axes.set_xlim(left=max(float(data["xi"][0]), FARTHEST_BEHIND) - 0.3)
+            axes.set_xlim(right=float(data["xi"][-1]) + 0.3)
     panels["u 0"].set_ylabel(r"compression $u/\delta$")
     panels["error 0"].set_ylabel(r"error of $u/\delta$")
     finish_grid(figure, [panels[name] for name in rows[0]], r"$\xi = n - ct$", columns=5)
@@ -47,7 +50,7 @@ def _draw_profiles(axes: Axes, data: xr.Dataset) -> None:
     axes.plot(driven["xi_driven"], driven, "o", zorder=3, **circles)
     for front, look in LINES.items():
         values = data[f"relative_displacement_{front}"]
-        axes.plot(data["xi"], values, linewidth=0.7, **look._asdict())
+        axes.plot(data["xi"], values, **look)
     axes.plot(data["xi"], data["relative_displacement"], **LOOKS["exact"]._asdict())
     law = configuration_of(data)["law"]
     axes.set_title(rf"$\alpha = {law['alpha']:g}$, $\gamma = {law['gamma']:g}$")
@@ -57,7 +60,7 @@ def _draw_errors(axes: Axes, data: xr.Dataset) -> None:
     """Difference of the compression of each continuum front from the exact one."""
     for front, look in LINES.items():
         difference = data[f"relative_displacement_{front}"] - data["relative_displacement"]
-        axes.plot(data["xi"], difference, linewidth=0.7, **look._asdict())
+        axes.plot(data["xi"], difference, **look)
     axes.axhline(0.0, color="0.6", linewidth=0.5, linestyle="-")
     axes.set_xlabel(r"$\xi = n - ct$")
 

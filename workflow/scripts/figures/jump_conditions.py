@@ -20,7 +20,7 @@ WAYS = {
     "velocity_jump_driven": ("velocity jump, driven chain", "v"),
     "power_driven": ("power, driven chain", "x"),
 }
-BETWEEN_MARKS = 0.13
+BETWEEN_MARKS = 0.155
 SPELLINGS = {
     "kuwabara_kono": "Kuwabara–Kono",
     "simon_hunt_crossley": "Simon–Hunt–Crossley",
@@ -44,7 +44,7 @@ def jump_conditions(data: xr.Dataset) -> Figure:
     -------
     matplotlib.figure.Figure
     """
-    figure, panels = new_figure(0.28 * data.sizes["law"] + 1.0, [["distances"]])
+    figure, panels = new_figure(0.35 * data.sizes["law"] + 0.9, [["distances"]])
     axes, rows = panels["distances"], np.arange(data.sizes["law"])[::-1]
     shifts = BETWEEN_MARKS * (2.5 - np.arange(len(WAYS)))
     for (name, (label, marker)), colour, shift in zip(
@@ -60,14 +60,12 @@ def jump_conditions(data: xr.Dataset) -> Figure:
             fillstyle="none",
             label=label,
         )
-    farthest = np.abs(axes.dataLim.intervalx).max()
-    shown = 1.1 * max(1.0, farthest)
+    shown = 1.1 * max(1.0, np.abs(axes.dataLim.intervalx).max())
     axes.axvspan(-1.0, 1.0, color="0.93", zorder=0)
     axes.hlines(rows[1:] + 0.5, -shown, shown, color="0.8", linewidth=0.4)
     axes.set(xlabel="distance / stated error", xlim=(-shown, shown))
     axes.set_yticks(rows, list(_spell(data)))
     axes.set_ylim(rows[-1] - 0.6, rows[0] + 0.6)
-    axes.set_title(f"the farthest mark is at {farthest:.2f}")
     figure.legend(loc="outside upper center", ncols=2, handlelength=1)
     return figure
 
