@@ -12,16 +12,9 @@ read from the continuous extension (`recorder`).
 import math
 
 import numpy as np
-from numba import int64
 
 from granular_fronts.chain.contact_events import passes_any_kink, step_at_contact
-from granular_fronts.chain.recorder import (
-    next_output,
-    next_passage,
-    next_turn,
-    note_ends,
-    record_step,
-)
+from granular_fronts.chain.recorder import note_ends, record_step
 from granular_fronts.chain.state import NEW_U, U
 from granular_fronts.chain.strain import (
     accept,
@@ -81,16 +74,10 @@ def _complete(chain, table, recording, h, t_new, energy):
     clock.power = take_slopes(
         chain, table, NEW_U, rk.SLOT[rk.NEW_SLOPE], reach, recording.track_energy
     )
-    noteworthy = next_output(recording) <= t_new
-    if not (noteworthy or math.isnan(recording.level)):
-        noteworthy = next_passage(chain, table, h, recording, next_.arrival, last) <= last
     if recording.track_extremes:
         note_ends(chain, table, 1.0, t_new, recording.largest)
         note_ends(chain, table, -1.0, t_new, recording.smallest)
-        if not noteworthy:
-            noteworthy = next_turn(chain, table, h, recording, int64(1), last) <= last
-    if noteworthy:
-        record_step(chain, table, h, t_new, recording)
+    record_step(chain, table, h, t_new, recording)
     accept(chain, table, reach)
     clock.t = t_new
     clock.reach = max(reach, end_of_window(chain, table, last))
