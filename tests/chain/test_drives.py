@@ -2,15 +2,13 @@
 
 import numpy as np
 import pytest
-from chains import TIGHT, driven_scene, given, last_state
+from chains import TIGHT, after_steps, driven_scene, given, last_state
 from newton import newton
 from rings import slope_and_residual
 from scipy.integrate import quad
 
-from granular_fronts.chain import run
 from granular_fronts.chain.drives import make_drive
 from granular_fronts.chain.simulate import simulate_chain, solve
-from granular_fronts.chain.state import D, U
 from granular_fronts.errors import InputError
 from granular_fronts.scenes.chain import Force, Piston
 
@@ -83,10 +81,7 @@ def errors_of_steps(key, drive, counts, power=1.0, end_time=8.0):
         scene["start"]["velocity"][0] = Piston(**scene["boundary"]).at_start
 
     def states(count, power):
-        part = run.prepare(scene)
-        ends = end_time * (np.arange(1, count + 1) / count) ** power
-        run.integrate_in_halves(part, scene["tolerance"], ends)
-        return np.concatenate([part.row(U), part.row(D)])
+        return after_steps(scene, end_time * (np.arange(1, count + 1) / count) ** power)
 
     exact = states(240, 1.0)
     return [np.abs(states(count, power) - exact).max() for count in counts]

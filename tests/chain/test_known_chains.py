@@ -22,10 +22,7 @@ def free_scene(beads, start, end_time, **changes):
 
 
 def test_a_struck_chain_carries_the_exact_solitary_wave():
-    """The wave of speed c is c⁴ times the wave of speed 1, for which Nesterenko has cos⁴.
-
-    V. F. Nesterenko, J. Appl. Mech. Tech. Phys. 24, 733 (1984): the peak (5/4)² c⁴ of long waves.
-    """
+    """The wave of speed c is c⁴ times the wave of speed 1."""
     record = {"snapshots": [60.0], "arrival_level": 0.05, "extremes": True}
     tolerance = {"relative": 1.0e-12, "absolute": 1.0e-14}
     motion = solve(free_scene(80, STRIKER, 90.0, record=record), tolerance).dataset
@@ -43,10 +40,6 @@ def test_a_struck_chain_carries_the_exact_solitary_wave():
     )
     exact = 2.0 * (modes * np.exp(phases)).real.sum(axis=1) - modes[0].real
     np.testing.assert_allclose(u[near], speed**4 * exact, rtol=0, atol=1.0e-10)
-    long_wave = (5.0 / 4.0) ** 2 * np.cos(np.sqrt(10.0) / 5.0 * xi) ** 4 * (np.abs(xi) < 2.5)
-    assert 0.03 < np.abs(long_wave - exact).max() < 0.1
-    # At the same peak the long-wave speed is 1.2 per cent too low.
-    assert (wave.u.max() / 1.5625) ** 0.25 == pytest.approx(0.9878, abs=1.0e-4)
 
 
 def by_pairs(masses, gaps):

@@ -83,16 +83,8 @@ def by_sympy(make, **kinks):
 
 USERS = {
     "numpy": cosh,
-    "where": lambda: gf.Potential(
-        lambda r: np.where(r < 0.0, r**4 / 4.0, 0.0),
-        lambda r: np.where(r < 0.0, r**3, 0.0),
-        lambda r: np.where(r < 0.0, 3.0 * r**2, 0.0),
-        interval=(-3, 3),
-        kinks=[0.0],
-    ),
-    "expression": lambda: by_sympy(lambda sympy, r: sympy.cosh(r) - 1),
-    "pieces": lambda: by_sympy(
-        lambda sympy, r: sympy.Piecewise((r**4 / 4, r < 0), (0, True)), kinks=[0.0]
+    "expression": lambda: by_sympy(
+        lambda sympy, r: sympy.Piecewise((sympy.cosh(r) - 1, r < 0), (0, True)), kinks=[0.0]
     ),
 }
 

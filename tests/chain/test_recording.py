@@ -5,8 +5,13 @@ import pytest
 from chains import TIGHT, driven_scene, given
 from scipy.optimize import brentq
 
-from granular_fronts.chain.recorder import VALUE
-from granular_fronts.chain.recording import collect, fitted_speed, front_speed_and_error
+from granular_fronts.chain.recorder import END, END_TIME, TIME, VALUE
+from granular_fronts.chain.recording import (
+    collect,
+    extremes_of_all,
+    fitted_speed,
+    front_speed_and_error,
+)
 from granular_fronts.chain.run import integrate, prepare
 from granular_fronts.chain.simulate import simulate_chain, solve
 from granular_fronts.errors import SolveError
@@ -101,6 +106,16 @@ def test_extremes_count_from_the_start_on_and_of_equal_ones_the_first(sign, name
         float(data[f"{name}_relative_displacement{part}"]) for part in ("", "_time", "_bead")
     ]
     assert extreme == [1.0, 0.0, 1.0]
+
+
+def test_of_extremes_that_are_equal_up_to_rounding_the_first_one_counts():
+    record = {"snapshots": [], "extremes": True}
+    recording = prepare(driven_scene(beads=4, record=record)).recording
+    recording.largest[[VALUE, TIME], 1:4] = [0.5, 1.0 - 2.0**-53, 1.0], [1.0, 3.0, 5.0]
+    recording.largest[[END, END_TIME], 1:4] = [[1.0], [7.0]]
+    found = extremes_of_all(recording, 3)
+    assert found["largest_relative_displacement_time"] == 3.0
+    assert found["largest_relative_displacement_bead"] == 2.0
 
 
 def test_equal_extremes_leave_time_uncertain_by_what_lies_between_them():

@@ -75,3 +75,11 @@ def test_error_of_an_opening_is_stated(relative):
     for name, exact in apart.items():
         error = np.abs(motion[name].isel(t=0) - exact).max()
         assert error <= 2.0 * motion[name].attrs["error_estimate"]
+
+
+def test_error_of_an_event_is_stated_where_two_runs_agree_on_it_by_chance():
+    """Both runs miss the time of the maximum of u = sin(√2 t)/√2 by as much at this tolerance."""
+    scene = free(LINEAR | {"gamma": 0.0}, [0.0], [1.0, 0.0], 20.0, 7.33e-5)
+    motion = simulate_chain(scene | {"record": {"snapshots": [], "extremes": True}})
+    time = motion["largest_relative_displacement_time"]
+    assert abs(time - np.pi / np.sqrt(8.0)) <= 2.0 * time.attrs["error_estimate"] < 1e-5

@@ -1,18 +1,10 @@
 """Scenes and small solvers that several tests share."""
 
 import numpy as np
-from kernels import from_python
 
-from granular_fronts.chain import integrator, strain
-from granular_fronts.chain.equations import Boundary
-from granular_fronts.chain.run import make_chain
+from granular_fronts.chain import run
+from granular_fronts.chain.recording import collect
 from granular_fronts.chain.simulate import solve
-from granular_fronts.chain.state import NEW_U, D, U
-from granular_fronts.numerics.runge_kutta import NEW_SLOPE, SLOT
-
-try_step, take_slopes, accept = map(
-    from_python, (strain.try_step, strain.take_slopes, strain.accept)
-)
 
 TIGHT = {"relative": 1.0e-13, "absolute": 1.0e-15}
 
@@ -50,17 +42,16 @@ def given(u, velocity):
 
 def last_state(scene):
     """u and velocity of all beads at the last snapshot of one integration."""
-    last = solve(scene).dataset.isel(t=-1)
+    return _last(solve(scene).dataset)
+
+
+def after_steps(scene, ends):
+    """The same after steps that end at given times, each taken in two halves."""
+    part = run.prepare(scene)
+    run.integrate_in_halves(part, scene["tolerance"], np.array(ends))
+    return _last(collect(part).dataset)
+
+
+def _last(motion):
+    last = motion.isel(t=-1)
     return np.concatenate([last["relative_displacement"], last["velocity"]])
-
-
-def integrate_strain_fixed(law, u, velocity, h, steps):
-    """Fixed steps of the strain form on a ring; returns u and d of all beads."""
-    chain, table = make_chain(law, Boundary(ring=True), u, velocity)
-    integrator.begin(chain, table)
-    for _ in range(steps):
-        try_step(chain, table, h, chain.beads, False)
-        take_slopes(chain, table, NEW_U, SLOT[NEW_SLOPE], chain.beads, False)
-        accept(chain, table, chain.beads)
-    inside = slice(1, u.size + 1)
-    return table[U, inside].copy(), table[D, inside].copy()
