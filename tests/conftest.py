@@ -7,7 +7,6 @@ import pytest
 from configurations import DEFAULT
 
 from granular_fronts.scenes.yaml_files import load_configuration
-from projects import copy_project, lend_kernels, snakemake
 
 DEFAULTS = load_configuration(DEFAULT)
 SECONDS_OF_FAST, SECONDS_OF_SLOW = 3.0, 0.5
@@ -26,15 +25,6 @@ def pytest_terminal_summary(terminalreporter):
             terminalreporter.line(f"{name} took {taken:.1f} s: unmark it as slow.")
         if not slow and taken > SECONDS_OF_FAST:
             terminalreporter.line(f"{name} took {taken:.1f} s: make it faster, or mark it slow.")
-
-
-@pytest.fixture(scope="module")
-def finished(tmp_path_factory):
-    """A copy of the project in which the smoke run is done."""
-    copy = lend_kernels(copy_project(tmp_path_factory.mktemp("project")))
-    run = snakemake("--configfile", "config/smoke.yaml", folder=copy)
-    assert run.returncode == 0, run.stderr
-    return copy
 
 
 @pytest.fixture

@@ -4,6 +4,7 @@ import pytest
 
 import edge_cases
 
+# Those that take seconds; each push solves the others.
 SLOW = ("γ = 20", "α = 10", "000 beads", "losses", "bouncing")
 CASES = [
     pytest.param(name, marks=[pytest.mark.nightly] if name.endswith(SLOW) else [])

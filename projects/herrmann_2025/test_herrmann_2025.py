@@ -64,6 +64,7 @@ def test_measure_is_what_follows_by_hand(measure, arguments, value, error):
     assert_measures(measure, FRONTS, arguments, value, error)
 
 
-@pytest.mark.slow
+# It proves fronts, for twenty seconds.
+@pytest.mark.nightly
 def test_the_page_shows_what_is_computed(tmp_path):
     assert_readme_shows_statements("herrmann_2025", tmp_path)

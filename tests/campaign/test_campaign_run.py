@@ -18,10 +18,10 @@ from projects import copy_project, lend_kernels, wait_for_job
 
 CAMPAIGN = {
     "kind": "chain",
-    "axes": {"delta": [0.1, 0.2, 0.4, 0.8], "gamma": {"linspace": [0.1, 1.0, 100]}},
+    "axes": {"delta": [0.1, 0.2, 0.4], "gamma": {"linspace": [0.1, 1.0, 10]}},
     "fixed": {"alpha": 1.5, "beads": 420},
     "tolerance": 1.0e-6,
-    "chunk_points": 100,
+    "chunk_points": 10,
 }
 SHORT = {
     "kind": "front",
@@ -124,12 +124,12 @@ def test_interrupted_campaign_goes_on(project, name):
     INTERRUPTS[name](process, worker)
     assert process.wait(timeout=60) != 0
     finished = chunk_dates(folder)
-    assert 1 <= len(finished) <= 3, "the campaign ended before it could be interrupted"
+    assert 1 <= len(finished) <= 2, "the campaign ended before it could be interrupted"
 
     if name == "kill_all":
         run_campaign(project, name, "--unlock")
-    assert jobs_of(run_campaign(project, name))["solve_chunk"] == 4 - len(finished)
-    assert f"Campaign {name}: 400 points, 0 failed" in summary_of(project, name)
+    assert jobs_of(run_campaign(project, name))["solve_chunk"] == 3 - len(finished)
+    assert f"Campaign {name}: 30 points, 0 failed" in summary_of(project, name)
     assert finished.items() <= chunk_dates(folder).items()
     assert not list(folder.glob("unfinished*"))
     assert np.isfinite(read_merged(project, name)["front_speed"]).all()
@@ -139,24 +139,24 @@ def test_interrupted_campaign_goes_on(project, name):
 def test_grown_campaign_solves_only_what_is_new_and_what_is_lost(project):
     """Snakemake removes what a job that fails would write, not what was made of it before."""
     folder = project / "results/data/campaigns/short"
-    write_campaign(project, "short", SHORT)
-    assert jobs_of(run_campaign(project, "short"))["solve_chunk"] == 3
+    few, more = ({"gamma": {"linspace": [0.5, 2.0, count]}} for count in (4, 7))
+    write_campaign(project, "short", SHORT, axes=few)
+    assert jobs_of(run_campaign(project, "short"))["solve_chunk"] == 2
     merged, solved = read_merged(project, "short"), chunk_dates(folder)
     table = pd.read_csv(project / "results/tables/campaign_short.csv", index_col="gamma")
     np.testing.assert_array_equal(table["overshoot"], merged["overshoot"])
     assert table["reason"].isna().all()
 
-    write_campaign(project, "short", SHORT, axes={"gamma": {"linspace": [0.5, 2.0, 11]}})
+    write_campaign(project, "short", SHORT, axes=more)
     assert jobs_of(run_campaign(project, "short"))["solve_chunk"] > 0
-    assert "Campaign short: 11 points, 0 failed" in summary_of(project, "short")
+    assert "Campaign short: 7 points, 0 failed" in summary_of(project, "short")
     assert solved.items() <= chunk_dates(folder).items()
     old = read_merged(project, "short").sel(gamma=merged["gamma"])
     np.testing.assert_array_equal(old["overshoot"], merged["overshoot"])
 
-    write_campaign(project, "short", SHORT)
-    assert "solve_chunk" not in jobs_of(run_campaign(project, "short"))
-    assert read_merged(project, "short").equals(merged)
-    first, second, _ = solved
+    write_campaign(project, "short", SHORT, axes=few)
+    first, second = solved
     first.unlink()
     second.with_suffix(".json").unlink()
     assert jobs_of(run_campaign(project, "short"))["solve_chunk"] == 1
+    assert read_merged(project, "short").equals(merged)

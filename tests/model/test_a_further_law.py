@@ -17,8 +17,6 @@ from granular_fronts.output.datasets import read_dataset
 from granular_fronts.scenes.yaml_files import read_yaml
 from projects import copy_project, lend_kernels, snakemake
 
-pytestmark = pytest.mark.slow
-
 
 @pytest.fixture(scope="module")
 def extended(tmp_path_factory):
@@ -41,6 +39,7 @@ def given_law(stiffness, viscous):
     return gf.make_law(elastic=cosh().scaled(stiffness), viscous=viscous)
 
 
+@pytest.mark.slow
 def test_a_scene_has_the_further_law(extended):
     ask(extended, "chain/hyperbolic.nc")
     found = read_dataset(extended / "results/data/chain/hyperbolic.nc")
@@ -51,6 +50,8 @@ def test_a_scene_has_the_further_law(extended):
         np.testing.assert_allclose(found[name], expected[name], rtol=0, atol=4.0 * error)
 
 
+# The kernels of fronts are compiled anew; other tests vary, and give, the laws that are there.
+@pytest.mark.nightly
 def test_a_campaign_varies_the_further_law(extended):
     ask(extended, "campaign")
     found = read_dataset(extended / "results/data/campaigns/hyperbolic.nc")
@@ -63,6 +64,8 @@ def test_a_campaign_varies_the_further_law(extended):
     assert overshoot > 1e-4
 
 
+# It needs the same kernels.
+@pytest.mark.nightly
 def test_python_has_the_further_law(extended):
     kernels = {"NUMBA_CACHE_DIR": str(extended / ".numba_cache")}
     [example] = [block for block in blocks(EXTENDING, "python") if block.startswith("import")]

@@ -10,7 +10,7 @@ import pytest
 
 from granular_fronts.errors import InputError
 from job import job
-from projects import ROOT, snakemake
+from projects import ROOT
 
 DEFAULT = ROOT / "config" / "default.yaml"
 
@@ -41,18 +41,6 @@ def test_unexpected_error_shows_where_it_is(tmp_path):
     lines = run_failing(stumble, tmp_path / "log")
     assert lines[0].startswith("Traceback")
     assert lines[-1] == "KeyError: 'mu'"
-
-
-@pytest.mark.slow
-def test_failed_job_shows_its_sentence(tmp_path):
-    """A figure without its data, whose rule does not know that they are of another project."""
-    data = tmp_path / "data/continuum/log_burgers_fronts.nc"
-    config = ["--config", f"results={tmp_path}", "--"]
-    assert snakemake(*config, data).returncode == 0
-    data.write_bytes(b"no netCDF")
-    run = snakemake(*config, "fig04")
-    assert run.returncode != 0
-    assert f"{data} is not a readable netCDF file" in run.stdout + run.stderr
 
 
 def test_program_whose_output_nobody_reads_ends_in_silence():

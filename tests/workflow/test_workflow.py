@@ -1,4 +1,5 @@
-import json
+"""What the workflow plans, and what it refuses before any job."""
+
 import re
 import tomllib
 
@@ -6,33 +7,26 @@ import pytest
 import yaml
 from packaging.requirements import Requirement
 
-from captions import read_texts
 from projects import ROOT, jobs_due, rules_due, snakemake
 
 FIGURES = sorted(file.stem for file in (ROOT / "workflow/captions").glob("[!t]*.rst"))
+PROJECTS = [file.parent.name for file in ROOT.glob("projects/*/rules.smk")]
 DRAWN = [name.partition("_")[0] if name.startswith("fig") else name for name in FIGURES]
+TARGETS = {*DRAWN, *PROJECTS, "all", "figures", "tables", "report"}
 
 
 @pytest.fixture(scope="module")
-def targets():
-    """All rules that can be named."""
-    run = snakemake("--list-target-rules")
-    named = re.findall(r"^(\w+) \(", run.stdout, re.MULTILINE)
-    return [name for name in named if name != "campaign"]
-
-
-@pytest.fixture(scope="module")
-def plan(tmp_path_factory, targets):
+def plan(tmp_path_factory):
     """The jobs behind each target, where nothing is there yet.
 
     Planned together, since a target that could not be planned alone would stop this plan too.
     """
     nothing = f"results={tmp_path_factory.mktemp('plan') / 'results'}"
-    return jobs_due("--config", nothing, "--", *targets)
+    return jobs_due("--config", nothing, "--", *TARGETS)
 
 
-def test_every_target_can_be_planned(plan, targets):
-    assert plan.keys() >= set(targets) >= {*DRAWN, "all", "figures", "tables", "report"}
+def test_every_target_can_be_planned(plan):
+    assert plan.keys() >= TARGETS
     assert plan["all"] >= {*DRAWN, "report", "compute_heteroclinic scene: front_profiles"}
 
 
@@ -41,21 +35,18 @@ def test_figure_solves_only_its_own_scene(plan):
     assert solved == {"initiate_front scene: initiation_overdamped"}
 
 
+def test_a_plain_call_makes_nothing_of_a_project(plan):
+    rules = {job.partition(" ")[0] for job in plan["all"]}
+    for name in PROJECTS:
+        text = (ROOT / f"projects/{name}/rules.smk").read_text(encoding="utf-8")
+        own = re.findall(r"^(?:use )?rule (?:\w+ as )?(\w+)(?: with)?:", text, re.MULTILINE)
+        assert name in own
+        assert rules.isdisjoint(own)
+
+
 def test_lint_finds_nothing():
     run = snakemake("--lint")
     assert run.returncode == 0, run.stdout
-
-
-def test_impossible_configuration_is_refused_before_any_job(tmp_path):
-    override = tmp_path / "override.yaml"
-    scenes = {"chain": {"initiation_overdamped": {"law": {"gamma": -0.5}}}}
-    override.write_text(yaml.safe_dump({"scenes": scenes}))
-    run = snakemake("--configfile", override, "--config", f"results={tmp_path / 'results'}")
-    assert run.returncode != 0
-    assert "Scene initiation_overdamped: law.gamma is -0.5" in run.stderr
-    assert "Traceback" not in run.stderr
-    assert "File " not in run.stderr
-    assert not (tmp_path / "results").exists()
 
 
 def test_files_replace_other_kinds_and_the_command_line_wins(tmp_path):
@@ -76,27 +67,6 @@ def test_an_option_of_which_snakemake_would_drop_the_first_is_refused():
     run = snakemake("--dry-run", *given, *given)
     assert run.returncode != 0
     assert "--configfile is given twice" in run.stderr
-
-
-@pytest.mark.slow
-def test_smoke_run_makes_everything(finished):
-    page = (finished / "results/smoke/report.html").read_text(encoding="utf-8")
-    assert page.count("data:image/png;base64,") == len(FIGURES)
-    plan = snakemake("--dry-run", "--configfile", "config/smoke.yaml", folder=finished)
-    assert plan.returncode == 0, plan.stderr
-    assert not rules_due(plan)
-
-
-@pytest.mark.slow
-def test_own_report_of_snakemake_shows_every_figure_with_its_caption(finished, tmp_path):
-    page = tmp_path / "report.html"
-    run = snakemake("--report", page, "--configfile", "config/smoke.yaml", folder=finished)
-    assert run.returncode == 0, run.stderr
-    shown = page.read_text(encoding="utf-8")
-    for name in FIGURES:
-        assert f"{name}.png" in shown
-        title = read_texts(ROOT / f"workflow/captions/{name}.rst").title
-        assert json.dumps(title) in shown
 
 
 def pinned_in(file):
