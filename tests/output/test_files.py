@@ -1,11 +1,14 @@
 """Files appear complete or not at all; killed writers leave nothing; a full disk is named."""
 
 import os
+import resource
 import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+import xarray as xr
 
 from granular_fronts.arguments import new_file
 from granular_fronts.errors import InputError, NoSpaceError
@@ -100,26 +103,19 @@ def test_full_disk_is_named_with_its_folder(tmp_path, error):
     assert not list(tmp_path.iterdir())
 
 
-LIMITED = """
-import resource, sys
-import numpy as np, xarray as xr
-from granular_fronts.errors import NoSpaceError
-from granular_fronts.output.files import complete_file
-resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, 50_000))
-data = xr.Dataset({"u": ("x", np.random.default_rng(1).random(100_000))})
-try:
-    with complete_file(sys.argv[1]) as unfinished:
-        data.to_netcdf(unfinished, engine="netcdf4")
-except NoSpaceError as error:
-    print(error)
-"""
-
-
 def test_netcdf_file_that_may_not_grow_is_named(tmp_path):
     """The netCDF library alone says no more than "HDF error"."""
-    command = [sys.executable, "-c", LIMITED, str(tmp_path / "result.nc")]
-    run = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, check=False)
-    assert f"no space left in {tmp_path}" in run.stdout, run.stderr
+    data = xr.Dataset({"u": ("x", np.random.default_rng(1).random(100_000))})
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, hard))
+    try:
+        with (
+            pytest.raises(NoSpaceError, match=f"no space left in {tmp_path}"),
+            complete_file(tmp_path / "result.nc") as unfinished,
+        ):
+            data.to_netcdf(unfinished, engine="netcdf4")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
     assert not list(tmp_path.iterdir())
 
 

@@ -1,15 +1,14 @@
 """YAML files, results folders and the command line: what is wrong is named with its place."""
 
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from configurations import DEFAULT, ROOT, SMOKE, assert_refused
+from pages import run_module
 
 from granular_fronts.scenes.configuration import check_configuration, folder_errors
 from granular_fronts.scenes.yaml_files import load_configuration, merge, parse_yaml
+from projects import snakemake
 
 
 def test_shipped_files_are_accepted_and_smoke_changes_values_but_not_what_is_drawn(default):
@@ -99,26 +98,18 @@ def test_merged_keys_may_be_overridden():
     assert loaded["d"] == {"x": 3, "y": 2}
 
 
-def run_python(*arguments):
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "src")}
-    command = [sys.executable, "-m", *map(str, arguments)]
-    return subprocess.run(
-        command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False
-    )
-
-
-def test_command_line_says_where_a_file_is_wrong_and_what_mappings_need(tmp_path):
+def test_command_line_says_where_a_file_is_wrong_and_what_mappings_need(tmp_path, monkeypatch):
     """Snakemake hands over merged values only, in which one of two repeated keys is lost."""
     file = tmp_path / "mine.yaml"
     file.write_text("results: results/a\nresults: results/b\n", encoding="utf-8")
-    snakemake = ["snakemake", "--cores", "1", "--dry-run", "fig04"]
     place = f"{file}, line 2, column 1: the key results is given twice"
-    for command, words in (
-        ([*snakemake, "--configfile", file], place),
-        ([*snakemake, "--config", "scenes={chain: {a: {law: {gamma: 0.2}}}}"], "--configfile mine"),
-        (["granular_fronts.scenes", DEFAULT, file], place),
+    assert place in run_module(monkeypatch, "granular_fronts.scenes", DEFAULT, file)
+    for option, words in (
+        (["--configfile", file], place),
+        (["--config", "scenes={chain: {a: {law: {gamma: 0.2}}}}"], "--configfile mine"),
     ):
-        run = run_python(*command)
+        run = snakemake("fig04", *option)
         assert run.returncode == 1
         assert words in run.stderr
         assert "Traceback" not in run.stderr
+        assert "File " not in run.stderr

@@ -3,10 +3,12 @@
 import importlib.util
 import os
 import re
+import runpy
 import subprocess
 import sys
 import textwrap
 
+from granular_fronts import errors
 from projects import ROOT
 
 # Scripts of the manual import each other.
@@ -79,3 +81,13 @@ def run(command, folder=ROOT, **environment):
     return subprocess.run(
         command, cwd=folder, capture_output=True, text=True, env=environment, check=False
     )
+
+
+def run_module(monkeypatch, module, *words):
+    """What `python -m` of a module ends with, None if it ends well; in this process."""
+    monkeypatch.setattr(sys, "argv", [module, *map(str, words)])
+    monkeypatch.setattr(errors, "end_with_reader", lambda: None)
+    try:
+        runpy.run_module(module, run_name="__main__")
+    except SystemExit as end:
+        return end.code
