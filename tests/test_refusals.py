@@ -5,6 +5,8 @@ between bars; a line of words for each sentence.
 """
 
 import json
+import time
+import tracemalloc
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -73,7 +75,8 @@ def at_velocity(velocity):
 
 PROBE = {"beads": [1], "start": 0, "stop": 1, "step": 1}
 STEADY = "record__probes__steady__"
-REFUSALS[scene("chain", SCENE)] = [
+CHAIN = scene("chain", SCENE)
+REFUSALS[CHAIN] = [
     # What the schema says.
     ({"law__alpha": 0}, "law.alpha is 0 | above 0"),
     ({"law__gamma": -0.1}, "law.gamma is -0.1 | limit 0"),
@@ -768,3 +771,33 @@ def test_what_is_impossible_is_refused(ask, given, words):
     with pytest.raises(InputError) as caught:
         ask(given)
     assert_refused(str(caught.value), words)
+
+
+@pytest.mark.parametrize("beads", [10**13, {"count": 10**9, "cell": ["steel 9.5 mm"]}])
+def test_many_beads_are_refused_at_once_and_without_memory(beads):
+    tracemalloc.start()
+    start = time.process_time()
+    with pytest.raises(InputError, match="GiB of memory are needed, above the 16 GiB"):
+        CHAIN({"beads": beads})
+    assert time.process_time() - start < 1.0
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 10 * 2**20
+
+
+POSSIBLE = [
+    *((CHAIN, {f"record__probes__{name}": PROBE}) for name in ("start", "stop", "step", "limit")),
+    (CHAIN, {"record__probes__span": PROBE, f"{STEADY}beads": [1, 420]}),
+    # A hundred thousand beads for an hour, a thousand snapshots, ten million samples.
+    (CHAIN, {"beads": 100_000, "record__grid__step": 500, f"{STEADY}step": 3.6e-5}),
+    # Beads thrown off a free end cost nothing.
+    (CHAIN, {"boundary": PISTON, "end_time": 1e12, "record__grid__step": 1e9}),
+    # What printed numbers measure.
+    (section, ("laws.damping_regimes", {"alpha": 2, "betas": [1, 3], "decades": 5, "points": 9})),
+    (section, ("scenes.heteroclinic.damping_sweep.mu", [1, 2])),
+]
+
+
+@pytest.mark.parametrize(("ask", "given"), POSSIBLE)
+def test_what_is_large_or_odd_but_possible_is_accepted(ask, given):
+    ask(given)

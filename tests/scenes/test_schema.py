@@ -6,11 +6,12 @@ from typing import get_args
 
 import numpy as np
 import pytest
-from chains import driven_scene
+from chains import ring_scene
 from configurations import DEFAULT, SCENE
 from jsonschema import Draft202012Validator
 from pydantic import ValidationError
 
+from granular_fronts.errors import InputError
 from granular_fronts.scenes.beads import Contacts, Factors, Masses
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.configuration import SCENES, Configuration
@@ -74,7 +75,13 @@ def test_a_scene_is_what_it_says_of_itself(family):
             setattr(scene, changed, None)
 
 
-def test_arguments_of_a_scene_may_be_those_of_numpy():
-    given = driven_scene(beads=20, record={"snapshots": [1.0, 2.0]})
-    arguments = given | {"beads": np.int64(20), "record": {"snapshots": np.array([1.0, 2.0])}}
-    assert Chain(**arguments) == Chain(**given)
+def test_a_scene_may_hold_numpy_values_and_is_refused_under_its_own_name():
+    given = ring_scene([1.0] * 3, [0.0] * 3)
+    start = {"kind": "given", "relative_displacement": np.ones(3), "velocity": np.zeros(3)}
+    arguments = given | {"beads": np.int64(3), "start": start}
+    arguments |= {"record": {"snapshots": np.array([10.0])}}
+    scene = Chain.read(arguments, "mine")
+    assert scene == Chain(**arguments) == Chain(**given)
+    assert type(scene.beads.count) is int
+    with pytest.raises(InputError, match=r"^Scene mine: law\.gamma is -1"):
+        Chain.read(given | {"law": {"alpha": 1.5, "gamma": np.float64(-1.0)}}, "mine")
