@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from configurations import DEFAULT, SCENE, assert_refused, change
+from potentials import fpu, lennard_jones, morse, toda
 from rings import scene_with
 
 import granular_fronts as gf
@@ -26,11 +27,14 @@ from granular_fronts.continuum.log_burgers.equation import flux
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import turning_points
 from granular_fronts.errors import InputError
 from granular_fronts.model import scaling
+from granular_fronts.model.potentials import make_potential
+from granular_fronts.reference_methods import half_step
 from granular_fronts.scenes import memory
 from granular_fronts.scenes.chain import Chain
 from granular_fronts.scenes.configuration import SCENES, check_configuration
 from granular_fronts.scenes.ring import Ring
 from granular_fronts.scenes.yaml_files import LONGEST_FILE, load_configuration
+from granular_fronts.studies.numerical_damping import Case, theta_chain
 
 DEFAULTS = load_configuration(DEFAULT)
 
@@ -490,8 +494,70 @@ REFUSALS[keywords(gf.critical_damping)] = [
 ]
 
 
-# Laws, collisions and units.
+# Laws, jump conditions, collisions and units.
 
+LINEAR = {"kind": "linear", "gamma": 0.3}
+REFUSALS[keywords(gf.make_law)] = [
+    ({}, "no elastic potential: give elastic"),
+    ({"beta": 1.5}, "no alpha, the exponent of its elastic force: give one"),
+    ({"alfa": 1.5}, "'alfa' is no part of a law: did you mean alpha?"),
+    ({"alpha": 1.5, "elastic": {"kind": "toda"}}, "alpha besides elastic | leave one of them out"),
+    ({"alpha": 1.5, "gamma": -0.1}, "gamma is -0.1 | at least 0"),
+    ({"elastic": "toda"}, "elastic is 'toda' | a Mapping: give a mapping"),
+    ({"elastic": {"kind": "hertz"}}, "hertz has no alpha"),
+    (of("toda")["law"] | {"viscous": {"kind": "dashpot"}}, "no kind of viscous potential"),
+    (of("toda")["law"] | {"viscous": {"kind": "proportional"}}, "proportional has no gamma"),
+    (of("toda")["law"] | {"viscous": {"kind": "none", "gamma": 1}}, "no parameter of none"),
+    *(
+        (of("toda")["law"] | {"viscous": LINEAR | {"kind": kind}}, "to the elastic kind hertz")
+        for kind in ("kuwabara_kono", "simon_hunt_crossley")
+    ),
+]
+RESTS = make_potential("linear", gamma=0.0)
+BROKEN = gf.Potential(
+    toda().value,
+    toda().first,
+    lambda r: np.where(abs(r + 0.53) < 0.01, np.nan, toda().second(r)),
+    interval=(-1.0, 0.1),
+    name="mine",
+)
+NARROW = gf.Potential(
+    np.square, lambda r: 2.0 * r, lambda r: 2.0 + 0.0 * r, interval=(-0.5, 0.5), name="W"
+)
+REFUSALS[lambda given: gf.jump_conditions(*given[:3], dissipation=given[3])] = [
+    ((fpu(), -1.0, 0.0, None), "quadratic between the states | Remark 3"),
+    ((fpu(-1.0, 0.0, -1.0), 0.0, 1.0, None), "strictly concave | Remark 1"),
+    ((morse(), 0.6, 3.0, None), "is the square of a speed | eq. 13"),
+    ((fpu(1.0, 0.0, 1.0), -1.0, 1.0, None), "vanishes between -1 and 1 | eq. 18"),
+    ((toda(), -1.0, 0.0, RESTS), "area (20) to be 0, but it is 0.14 | Remark 4"),
+    ((fpu(1.0, 0.0, 1.0), -1.0, 1.0, RESTS), "speed 1.41421 | Remark 4"),
+    ((toda(), -1.0, 0.0, fpu(-1.0)), "W'' of FPU potential is -1 | convex"),
+    ((toda(), -0.1, -0.1, None), "both -0.1, but a front joins two different states"),
+    ((lennard_jones(), -2.0, 0.0, None), "R_minus is -2.0 | defined from -1 to inf"),
+    ((lennard_jones(), -1.0, 0.0, None), "V of Lennard-Jones potential is inf at r = -1"),
+    ((BROKEN, -1.0, 0.0, None), "V'' of mine is nan at r = -0."),
+    ((toda(), -1.0, 0.0, NARROW), "is -1.0 | W is defined from -0.5 to 0.5"),
+    ((gf.make_law(alpha=1.5), -0.5, 0.0, None), "Remark 4"),
+    ((gf.make_law(alpha=1.5), -0.5, 0.0, RESTS), "dissipation is | leave dissipation out"),
+]
+REFUSALS[keywords(gf.contact_stiffness)] = [({"first": "steel", "second": "glass"}, "are flat")]
+REFUSALS[lambda given: scaling.Scaling(*given).critical_velocity] = [
+    ((0.1, 1.0e9, 1.0e-6, 1.0, 1.5, 1.25), "gamma is 0.1 | there is no velocity v_c"),
+    ((0.1, 1.0e9, 0.0, 1.0), "gamma is 0 | there is no velocity v_c"),
+]
+REFUSALS[lambda chain: half_step.integrate(half_step.Chain(*chain), [0, 0], [1, 0], 0.1, 3)] = [
+    ((1.5, 0.5, 0.1), "beta is 0.5"),
+    ((1.5, 1.5, -1.0), "gamma is -1.0"),
+]
+REFUSALS[lambda step: half_step.integrate(half_step.Chain(1, 1, 0), [0, 0], [1, 0], step, 3)] = [
+    (0.0, "step is 0.0")
+]
+REFUSALS[lambda given: theta_chain(Case(given[0], 0.1, 14, 12.0), *given[1:])] = [
+    ((1.5, 0.4, 0.1), "theta"),
+    ((1.5, 1.1, 0.1), "theta"),
+    ((0.5, 1.0, 0.1), "alpha"),
+    ((2.0, 1.0, 0.7), "end"),
+]
 REFUSALS[keywords(gf.restitution)] = [
     ({"gamma": 1e308, "alpha": 1.5, "beta": 1.0}, "collision lies beyond double")
 ]

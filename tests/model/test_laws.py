@@ -89,33 +89,6 @@ def test_a_users_law_says_that_a_file_cannot_hold_it():
     assert described["viscous"] == {"kind": "proportional", "gamma": 0.2}
 
 
-@pytest.mark.parametrize(
-    ("mapping", "sentence"),
-    [
-        ({}, "no elastic potential: give elastic"),
-        ({"beta": 1.5}, "no alpha, the exponent of its elastic force: give one"),
-        ({"alfa": 1.5}, "'alfa' is no part of a law: did you mean alpha?"),
-        ({"alpha": 1.5, "elastic": TODA}, "alpha besides elastic, .*: leave one of them out"),
-        ({"alpha": 1.5, "gamma": -0.1}, "gamma is -0.1, but must be a finite number, at least 0"),
-        ({"elastic": "toda"}, "elastic is 'toda', but must be a Mapping: give a mapping"),
-        ({"elastic": {"kind": "tode"}}, "'tode' is no kind of elastic potential: did you mean"),
-        ({"elastic": TODA, "viscous": {"kind": "dashpot"}}, "no kind of viscous potential"),
-        ({"elastic": TODA, "viscous": {"kind": "proportional"}}, "proportional has no gamma"),
-        ({"elastic": TODA, "viscous": {"kind": "none", "gamma": 1}}, "no parameter of none"),
-        *[
-            (
-                {"elastic": TODA, "viscous": {"kind": kind, "gamma": 1.0}},
-                "to the elastic kind hertz",
-            )
-            for kind in ("kuwabara_kono", "simon_hunt_crossley")
-        ],
-    ],
-)
-def test_wrong_law_is_named(mapping, sentence):
-    with pytest.raises(InputError, match=sentence):
-        make_law(mapping)
-
-
 def test_a_law_that_is_no_power_has_no_exponents():
     law = make_law(elastic=TODA)
     assert not law.is_power

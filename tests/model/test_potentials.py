@@ -130,21 +130,6 @@ def test_wrong_potential_is_named(replaced, sentence):
         make(**replaced)
 
 
-@pytest.mark.parametrize(
-    ("kind", "parameters", "sentence"),
-    [
-        ("hertz", {"alpha": 0.0}, "alpha is 0.0, but must be a finite number, above 0"),
-        ("hertz", {"alpha": 1.5, "stiffness": -1.0}, "stiffness is -1.0"),
-        ("tode", {}, "'tode' is no kind: did you mean toda?"),
-        ("hertz", {}, "hertz has no alpha, exponent α of the force: give one"),
-        ("toda", {"speed": 1.0}, "'speed' is no parameter of toda: choose one"),
-    ],
-)
-def test_impossible_parameters_are_refused(kind, parameters, sentence):
-    with pytest.raises(InputError, match=sentence):
-        make_potential(kind, **parameters)
-
-
 @pytest.mark.parametrize("case", READY)
 def test_potential_is_described_as_it_is_made(case):
     potential, _ = READY[case]

@@ -12,7 +12,6 @@ from rings import assert_order
 from scipy.integrate import solve_ivp
 
 from granular_fronts.chain.simulate import simulate_chain
-from granular_fronts.errors import InputError
 from granular_fronts.reference_methods.half_step import SCHEMES, Chain, integrate
 from granular_fronts.studies.chain_scenes import pressed_chain
 from projects import ROOT
@@ -158,16 +157,3 @@ def test_limit_of_stability_is_that_of_the_shortest_wave(stiffness, damping):
         step = factor * (np.sqrt(g**2 + 1.0) - g)
         motion = integrate(chain, pressed, kick, step, 400)
         assert (np.abs(motion.v).max() > 0.1) == grows
-
-
-@pytest.mark.parametrize(
-    ("change", "step", "sentence"),
-    [
-        ({"beta": 0.5}, 0.1, "beta is 0.5"),
-        ({"gamma": -1.0}, 0.1, "gamma is -1.0"),
-        ({}, 0.0, "step is 0.0"),
-    ],
-)
-def test_impossible_chains_are_named(change, step, sentence):
-    with pytest.raises(InputError, match=sentence):
-        integrate(Chain(1.5, 1.5, 0.1)._replace(**change), [0.0, 0.0], [1.0, 0.0], step, 3)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from granular_fronts.errors import InputError, SolveError
+from granular_fronts.errors import SolveError
 from granular_fronts.reference_methods import theta_method
 from granular_fronts.reference_methods.theta_method import integrate_from_rest
 from granular_fronts.studies.numerical_damping import (
@@ -81,17 +81,3 @@ def test_failed_newton_is_said(monkeypatch):
     assert integrate_from_rest(ALPHA, 12, DELTA, 0.0, 1.0, 0.1, 3).iterations == 7
     with pytest.raises(SolveError, match=r"Newton's method fails for theta 1.0 and step 0.1"):
         theta_chain(Case(ALPHA, DELTA, 12, 1.0), 1.0, 0.1)
-
-
-@pytest.mark.parametrize(
-    ("alpha", "theta", "step", "key"),
-    [
-        (1.5, 0.4, 0.1, "theta"),
-        (1.5, 1.1, 0.1, "theta"),
-        (0.5, 1, 0.1, "alpha"),
-        (2, 1, 0.7, "end"),
-    ],
-)
-def test_impossible_method_is_refused(alpha, theta, step, key):
-    with pytest.raises(InputError, match=f"^{key}"):
-        theta_chain(CASE._replace(alpha=alpha), theta, step)
