@@ -9,7 +9,6 @@ from scipy.integrate import solve_ivp
 
 import granular_fronts as gf
 from granular_fronts.model.collision import (
-    LARGEST_STEP,
     _slow_strength,
     damping_for_restitution,
     log_restitution,
@@ -68,21 +67,11 @@ def test_degenerate_exponent_is_a_damped_oscillator(beta, ratio):
     assert gf.restitution(1.001 * gamma / ratio, alpha, beta) == 0.0
 
 
-@by_exponents
-def test_smaller_steps_change_nothing(alpha, beta):
-    nu = beta / (alpha + 1.0)
-    for strength in (1.0e-8, 1.0, 300.0):
-        one, two = (
-            log_restitution(nu, strength, step) for step in (LARGEST_STEP, LARGEST_STEP / 3.0)
-        )
-        assert one == two or abs(one - two) < 5e-13 * max(1.0, abs(one))
-
-
-@by_exponents
+@pytest.mark.parametrize(("alpha", "beta"), [(1.5, 1.5), (3.0, 2.0)])
 def test_inverse_returns(alpha, beta):
     # Just below a finite γ at which e vanishes, γ alone does not determine a small e.
     tolerance = ACCURACY if beta > (alpha + 1.0) / 2.0 else 1.0e-9
-    for e in (1.0 - 1.0e-9, 0.3, 1.0e-9):
+    for e in (1.0, 1.0 - 1.0e-9, 0.3, 1.0e-9):
         gamma = damping_for_restitution(e, alpha, beta)
         assert gf.restitution(gamma, alpha, beta) == pytest.approx(e, rel=tolerance)
 
@@ -119,17 +108,10 @@ def test_strong_damping_is_a_power_law(nu, monkeypatch):
 
 def test_linear_dashpot_holds_the_beads_together():
     """For β < (α + 1)/2 and a large γ the beads creep apart, and their contact never ends."""
-    assert gf.restitution(0.7, 1.5, 1.0) > 0.0
     threshold = damping_for_restitution(1.0e-12, 1.5, 1.0)
+    assert gf.restitution(threshold, 1.5, 1.0) == pytest.approx(1.0e-12, rel=0.01)
     for gamma in (1.01 * threshold, 1.0, 1.0e3):
         assert gf.restitution(gamma, 1.5, 1.0) == 0.0
     # No trial step takes a power of a negative sine, and none overflows.
     for gamma in (1.0, 1e300):
         assert gf.restitution(gamma, 100.0, 1.0) == 0.0
-
-
-def test_restitution_falls_with_damping():
-    values = [gf.restitution(gamma) for gamma in np.geomspace(1.0e-4, 1.0e3, 30)]
-    assert np.all(np.diff(values) < 0.0)
-    assert gf.restitution(0.0) == 1.0
-    assert damping_for_restitution(1.0) == 0.0

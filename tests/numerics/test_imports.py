@@ -55,13 +55,11 @@ def test_all_that_python_loads_is_found_by_reading():
 
 def test_the_same_imports_are_read_as_python_parses():
     for name, file in FILES.items():
-        nodes = list(ast.walk(ast.parse(file.read_bytes())))
-        parsed = {
-            alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names
-        }
-        for node in nodes:
-            if isinstance(node, ast.ImportFrom):
-                parsed |= {f"{node.module}.{alias.name}" for alias in node.names}
+        parsed = set()
+        for node in ast.walk(ast.parse(file.read_bytes())):
+            if isinstance(node, ast.Import | ast.ImportFrom):
+                module = f"{node.module}." if isinstance(node, ast.ImportFrom) else ""
+                parsed |= {f"{module}{alias.name}" for alias in node.names}
         assert parsed <= named_in(file), name
 
 
