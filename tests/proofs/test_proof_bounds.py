@@ -2,6 +2,8 @@
 
 # ruff: noqa: N802
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from certificates import (
@@ -9,7 +11,6 @@ from certificates import (
     Mesh,
     enclosed,
     floats,
-    inverse_defect,
     load,
     middles,
     on_cells,
@@ -20,7 +21,9 @@ from scipy import integrate, optimize
 
 import granular_fronts as gf
 from granular_fronts.proofs import balls
+from granular_fronts.proofs.certificate import describe
 from granular_fronts.proofs.checker import Front
+from granular_fronts.proofs.dashpots.certificate import describe as describe_dashpots
 from granular_fronts.proofs.dashpots.checker import DashpotFront
 from granular_fronts.proofs.dashpots.row_norms import bound_inverse
 
@@ -28,15 +31,14 @@ from granular_fronts.proofs.dashpots.row_norms import bound_inverse
 class Doubles:
     """A certificate in doubles, with functions of ξ instead of polynomials on cells."""
 
-    def __init__(self, name, **changes):
-        self.data = data = load(name) | changes
+    def __init__(self, data):
+        self.data = data
         self.alpha = data["alpha"][2] / data["alpha"][3]
         self.gamma = sum(data["gamma"][k] / data["gamma"][k + 1] for k in (0, 2)) / 2
         self.sizes = dict(zip(self.SIZES, data["sizes"].tolist(), strict=True))
         self.n, self.ng = self.sizes["n"], self.sizes["n"] * self.sizes["fine"]
         correction = data["correction"].astype(int)
         self.H = np.eye(len(correction)) + np.cumsum(np.cumsum(correction, axis=1), axis=0) / 2**16
-        self.Y0 = PROVED[name]["inequalities"]["Y0 < (1 − Z1 − Z2(r)) r"][0]
 
     def inverse(self, name):
         return np.cumsum(np.cumsum(self.data[name][0])) / 2**20
@@ -76,10 +78,10 @@ class Proportional(Doubles):
     """β = α."""
 
     SIZES = ("behind", "ahead", "n", "p", "q", "c", "fine")
-    beta, tightness, least_defect = None, 0.9, 0.15
+    describe, beta, tightness = staticmethod(describe), None, 0.9
 
-    def __init__(self, name, **changes):
-        super().__init__(name, **changes)
+    def __init__(self, data):
+        super().__init__(data)
         self.b, self.M = self.sizes["c"] + self.sizes["q"] + 2, self.sizes["ahead"] + 1
         self.g = self.inverse("inverse")
 
@@ -98,77 +100,21 @@ class Proportional(Doubles):
 
     def residuals(self, front):
         """|P̄ − ū₊^α| on some cells, and its bounds there."""
-        found, bounds, t = [], [], np.linspace(-0.999, 0.999, 9)
-        for j in range(0, len(front.u), 5):
+        found, bounds, t = [], [], np.linspace(-0.999, 0.999, 5)
+        for j in range(0, len(front.u), 9):
             xi = (j + 0.5 + t / 2) / front.n - front.left
             found.append(abs(self.P(xi) - np.maximum(self.u(xi), 0) ** self.alpha).max())
             bounds.append(float(front.residual(j).upper()))
         return np.array(found), np.array(bounds)
 
-    def norms(self, front):
-        """Z₁, ρ and κ as in `right_inverse`: those of the checker, these, and how near they are."""
-        n, h, alpha, gamma, M, b = front.n, 1 / front.n, self.alpha, self.gamma, self.M, self.b
-        points = 0, gamma - 1, 1 - gamma
-        nK, _ = integrate.quad(lambda s: abs(float(self.K(s))), -1, 1, points=points)
-        low, mid, high = (self.a(floats(u)) for u in (front.u_low, front.u_mid, front.u_high))
-        far = (front.left - self.sizes["c"]) * n
-        drift = max(abs(a[:far] / alpha - 1).max() for a in (low, high))
-        W = (b + M) * n
-        low, mid, high = low[-W:], mid[-W:], high[-W:]
-
-        # ∫ K and ∫ |K| over a cell seen from the middle of another, from 32 points.
-        m = np.arange(-n, n + 1)
-        K = self.K(m[:, None] * h + np.linspace(-1, 1, 65)[1::2] * h / 2)
-        whole, absolute = K.mean(axis=1) * h, abs(K).mean(axis=1) * h
-        x = (np.arange(W) + 0.5) * h - b
-        apart = np.subtract.outer(np.arange(W), np.arange(W))
-        T, T_abs = (
-            np.where(abs(apart) <= n, f[np.clip(apart + n, 0, 2 * n)], 0) for f in (whole, absolute)
-        )
-        rest = abs(np.eye(W) - self.H + mid[:, None] * (T @ self.H)) @ mid * nK
-        weighted = self.H * mid
-        edges = np.arange(W + 1) * h - b
-        v = h * abs(weighted @ self.K(np.subtract.outer(x, edges))).sum(axis=1)
-        v += h / 2 * abs(weighted).sum(axis=1)
-        w = 1 + v
-
-        def swing(f):
-            """What f, a bead longer at both ends, gives by steps of K in a cell."""
-            weights = h * h / 2 + h * gamma * (m == 0) + h * gamma / 2 * (abs(m) == n)
-            return np.convolve(f, weights, "valid")
-
-        inner = high * swing(np.pad(w, n)) + (high - low) * (T_abs @ w)
-        forward = integrate.quad(lambda s: abs(1 - s - gamma), 0, 1, points=(abs(1 - gamma),))[0]
-        entering = alpha * max(forward, (gamma**2 + (1 - gamma) ** 2) / 2) * w[:n].max()
-        gain = 1 + max(entering, rest[:n].max())
-        kernel, jumps = (lambda s: alpha * self.K(s)), 4 * alpha * gamma
-        e, norm = inverse_defect(self.g, self.sizes["p"], self.ng, kernel, 2 * alpha, jumps)
-        outer = gain * (e + drift * (norm + e)) + nK * high[-n:].max()
-        Z1 = outer + max(inner[:n].max(), (inner + rest)[n:].max(), entering * drift)
-        yield front.Z1, Z1, 1e-4
-
-        norms = np.append(np.cumsum(abs(self.g)[::-1])[::-1] / self.ng, 0)
-        position = np.round((x - h / 2 + b - 1 + self.sizes["p"]) * self.ng).astype(int)
-        spill = norms[np.clip(position, 0, len(norms) - 1)]
-        rho, behind = w + rest + gain * spill, gain * (1 + norm)
-        yield front.rho[-W:], rho, 1e-8
-        yield front.rho[:-W], behind, 1e-8
-        around = np.concatenate([np.full(n, behind), rho, np.ones(n)])
-        direct = swing(around) + np.convolve(around, absolute, "valid")
-        with np.errstate(divide="ignore"):
-            through = (v + gain * spill + rest + inner + outer) / low
-        yield front.kappa[-W:], np.minimum(direct, through), 2e-3
-        yield (
-            front.outer_kappa[0],
-            (gain * norm + entering * (1 + drift) + outer) / (alpha * (1 - drift)),
-            1e-4,
-        )
-        yield front.outer_kappa[1], nK * max(1, rho[-n:].max()), 1e-4
-
     def operators(self, mesh, a, _):
         """ā K*; as at the middles of the cells; what the window sends behind; K*."""
         K = mesh.kernel(self.K)
         return a[:, None] * K, a[:, None] * K, self.alpha * K, K
+
+    def sources(self, _, a):
+        """The bounds of the sources of the matrix."""
+        return (1 + self.gamma**2) * a
 
     def ahead(self, _, sources):
         return sources * np.eye(len(sources))
@@ -178,10 +124,10 @@ class Dashpots(Doubles):
     """β = 1."""
 
     SIZES = ("behind", "ahead", "n", "fine", "p", "q", "c", "M", "p_ahead", "q_ahead")
-    beta, tightness, least_defect = 1.0, 0.1, 0.1
+    describe, beta, tightness = staticmethod(describe_dashpots), 1.0, 0.1
 
-    def __init__(self, name, **changes):
-        super().__init__(name, **changes)
+    def __init__(self, data):
+        super().__init__(data)
         self.b, self.M = self.sizes["c"] + self.sizes["q"] + 1, self.sizes["M"]
         self.g, self.g_ahead = self.inverse("inverse_behind"), self.inverse("inverse_ahead")
 
@@ -199,70 +145,16 @@ class Dashpots(Doubles):
             return abs(self.u(xi) - quadrature(flux, xi, self.n))
 
         shifts = (0, 0.47 / self.n, -0.47 / self.n)
-        found = np.array([defect(x + shift) for x in middles(front)[::3] for shift in shifts])
+        found = np.array([defect(x + shift) for x in middles(front)[::5] for shift in shifts])
         return found, np.full(found.size, self.Y0)
-
-    def norms(self, front):
-        """Z₁ and ρ as in `right_inverse`: those of the checker, these, and how near they are."""
-        sizes, n, h, gamma, H = self.sizes, self.n, 1 / self.n, self.gamma, self.H
-        p, p_ahead, M, b = sizes["p"], sizes["p_ahead"], self.M, self.b
-        low, mid, high = (self.a(floats(u)) for u in (front.u_low, front.u_mid, front.u_high))
-        xi, W = middles(front), len(H)
-        drift = max(abs(a[xi < -sizes["c"]] / self.alpha - 1).max() for a in (low, high))
-        force_ahead = high[xi > M - p_ahead].max()
-        window = (xi > -b) & (xi < M)
-        a, low, high = mid[window], low[window], high[window]
-
-        x = xi[window]
-        apart = np.round(np.subtract.outer(x, x) * n)
-        whole = (abs(apart) < n) + (abs(apart) == n) / 2
-        jump = np.sign(apart) * whole * h
-        tent = np.maximum(1 - abs(apart) * h, 0) * h
-        tent += np.select([apart == 0, abs(apart) == n], [-h * h / 4, h * h / 8])
-        T = gamma * jump + tent * a
-        rest = abs(np.eye(W) - H + T @ H) @ (2 * gamma + tent @ a)
-        s = np.subtract.outer(x, np.append(x - h / 2, M))
-        jumps, tents = H @ (np.sign(s) * (abs(s) < 1)) * gamma, H @ np.maximum(1 - abs(s), 0)
-        edges = (abs(jumps[:, k : k + W] + a * tents[:, k : k + W]).sum(axis=1) for k in (0, 1))
-        v = h / 2 * sum(edges) + h * h / 8 * abs(H) @ (2 * whole @ a)
-        w = 1 + v
-        inner = gamma * h / 2 * ((2 * (apart == 0) + (abs(apart) == n)) @ w)
-        inner += h * h / 2 * (abs(apart) <= n) @ (w * high)
-        inner += tent @ (w * np.maximum(high - a, a - low))
-
-        def sign(s):
-            return gamma * np.sign(s)
-
-        def both(s):
-            return self.alpha * (1 - abs(s)) + sign(s)
-
-        e, norm = inverse_defect(self.g, p, self.ng, both, 2 * self.alpha, 4 * gamma)
-        e_ahead, norm_ahead = inverse_defect(self.g_ahead, p_ahead, self.ng, sign, 0, 4 * gamma)
-        gain = max(1 + (gamma + high[:n].max() / 2) * w[:n].max(), rest[:n].max())
-        gain_ahead = 1 + (gamma + high[-n:].max() / 2) * w[-n:].max()
-        Z1 = max(inner[:n].max(), (inner + rest)[n:].max())
-        Z1 += gain * (e + self.alpha * drift * (1 + norm))
-        Z1 += gain_ahead * (e_ahead + (1 + norm_ahead) * force_ahead)
-        yield front.Z1, Z1, 1e-6
-
-        from_left, from_right = x - h / 2 + b - 1, x + h / 2 - M
-        places = (np.arange(len(self.g)) + 0.5) / self.ng - p
-        behind = np.array([abs(self.g[places > at]).sum() / self.ng for at in from_left])
-        places = (np.arange(len(self.g_ahead)) + 0.5) / self.ng - p_ahead
-        ahead = np.array([abs(self.g_ahead[places < at]).sum() / self.ng for at in from_right])
-        rho = w + gain * behind + gain_ahead * ahead
-        rho[:n] += rest[:n]
-        yield front.rho[window], rho, 1e-8
-        for bound, cells, value in (
-            (front.rho_behind, front.rho[xi < -b], gain * (1 + norm)),
-            (front.rho_ahead, front.rho[xi > M], gain_ahead * (1 + norm_ahead)),
-        ):
-            yield np.append(cells, bound), value, 1e-8
 
     def operators(self, mesh, a, a_of_cells):
         jump, tent = mesh.kernel(np.sign), mesh.kernel(lambda s: 1 - abs(s))
         T, T_h = (self.gamma * jump + tent * f for f in (a, a_of_cells))
         return T, T_h, T, np.eye(len(a))
+
+    def sources(self, mesh, a):
+        return 2 * self.gamma + mesh.kernel(lambda s: 1 - abs(s)) @ a
 
     def ahead(self, mesh, sources):
         return mesh.inverse(self.g_ahead, self.sizes["p_ahead"], self.ng) @ sources
@@ -276,7 +168,9 @@ def pair(request):
     """A front as the checker encloses it, in balls, and as this module sees its certificate."""
     with balls.in_balls():
         law = Dashpots if request.param == "dashpots" else Proportional
-        yield enclosed(request.param), law(request.param)
+        known = law(load(request.param))
+        known.Y0 = PROVED[request.param]["inequalities"]["Y0 < (1 − Z1 − Z2(r)) r"][0]
+        yield enclosed(request.param), known
 
 
 @by_certificate
@@ -307,48 +201,48 @@ def test_force_of_strains_of_which_no_polynomial_is_made_is_not_forgotten(name):
     with balls.in_balls():
         front = enclosed(name, P=[arb_poly([0])] * len(enclosed(name).u))
         small = [j for j, low in enumerate(front.u_low) if not low > 1e-11]
-        assert len(small) > 10
+        assert len(small) > 5
         for j in small:
             bound = front.force(j)[1] if name == "dashpots" else front.residual(j)
             for place in (-1, 0.3, 1):
                 assert max(float(front.u[j](place)), 0.0) ** 1.5 <= balls.above(bound)
 
 
-@pytest.mark.parametrize("law", [Proportional, Dashpots])
-def test_norms_are_those_of_dense_matrices(law):
-    """For a wrong matrix, which leaves more undone on the first bead than is sent behind."""
-    name = "dashpots" if law is Dashpots else "overshoot"
-    data = load(name)
-    n, wrong = law(name).n, data["correction"].copy()
-    alternating = 20_000 * (-1) ** np.arange(n + 1)
-    alternating[[0, n]] = 10_000
-    wrong[0, : n + 1] += alternating
-    wrong[n, : n + 1] -= alternating
-    known = law(name, correction=wrong)
+@pytest.fixture(scope="module", params=[Proportional, Dashpots])
+def coarse(request):
+    """The certificate of wide cells, from which nothing is proved, and its law."""
+    law = request.param
+    alpha, gamma = Fraction(3 if law is Dashpots else 4, 2), Fraction(3, 10)
+    front = gf.solve_front(float(alpha), float(gamma), law.beta)
+    return law.describe(front, (alpha, alpha), (gamma, gamma), 10, 40, 1e-3), law
+
+
+def bounded(data):
+    """A front with the bounds of its inverse."""
     with balls.in_balls():
-        if law is Dashpots:
-            front = DashpotFront(data | {"correction": wrong})
-            front.Z1, front.rho, front.rho_behind, front.rho_ahead = bound_inverse(front)
-        else:
-            front = Front(data | {"correction": wrong})
+        if "strain" not in data:
+            front = Front(data)
             front.bound_inverse()
-        for found, value, near in known.norms(front):
-            assert floats(np.atleast_1d(found)) == pytest.approx(value, rel=near)
+        else:
+            front = DashpotFront(data)
+            front.Z1, front.rho, *front.outer_kappa = bound_inverse(front)
+            front.kappa, front.rho_behind = front.rho, front.outer_kappa[0]
+    return front
 
 
-@pytest.mark.parametrize("pair", ["overshoot", "dashpots"], indirect=True)
-def test_inverse_is_one(pair):
+def test_inverse_is_one(coarse):
     """On a mesh three times as fine: near the bounds of A and K*A, a part of that of 1 − L A.
 
     From below: the supremum over y that are constant on small cells, at middles of cells.  A is
     exact there but for the middle rule in the convolution with g of what is not constant on cells.
     """
-    front, known = pair
+    data, law = coarse
+    front, known = bounded(data), law(data)
     x, defect, *inverses = known.on_a_finer_mesh(front)
     Z1, window = float(front.Z1.mid()), (x > -known.b) & (x < known.M)
-    assert known.least_defect * Z1 < abs(defect).sum(axis=1).max() < Z1
+    assert 0.18 * Z1 < abs(defect).sum(axis=1).max() < Z1
     first = (front.left - known.b) * front.n
-    bounds = (front.rho, 0.9999, 0.9), (front.kappa, 0.9, 0.7)
+    bounds = (front.rho, 0.9999, 0.89), (front.kappa, 0.86, 0.59)
     for rows, (bound, near, typical) in zip(inverses, bounds, strict=True):
         norms, own = abs(rows).sum(axis=1), floats(bound)[first : first + window.sum() // 3]
         shares = norms[window] / np.repeat(own, 3)
@@ -356,6 +250,26 @@ def test_inverse_is_one(pair):
         assert np.median(shares) > typical
     for side, bound in zip((x < -known.b, x > known.M), front.outer_kappa, strict=True):
         assert norms[side].max() <= bound
+
+
+@pytest.mark.parametrize(("name", "law"), [("monotone", Proportional), ("dashpots", Dashpots)])
+def test_gain_counts_what_a_wrong_matrix_leaves_undone_on_the_first_bead(name, law):
+    """More than the window sends behind: A is bounded there by that, from dense matrices."""
+    data = load(name)
+    wrong, n = data["correction"].copy(), data["sizes"][2]
+    alternating = 20_000 * (-1) ** np.arange(4 * n + 1)
+    alternating[[0, -1]] = 10_000
+    wrong[0, : 4 * n + 1] += alternating
+    wrong[n, : 4 * n + 1] -= alternating
+    data = data | {"correction": wrong}
+    front, known = bounded(data), law(data)
+    mesh = Mesh(n, 1, known.b, known.M)
+    a = known.a(known.u(mesh.x))
+    _, T_h, *_ = known.operators(mesh, a, a)
+    undone = abs(np.eye(len(a)) - known.H + T_h @ known.H) @ known.sources(mesh, a)
+    gain = undone[:n].max() + (law is Proportional)
+    norm = abs(known.g).sum() / known.ng
+    assert float(front.rho_behind) == pytest.approx(gain * (1 + norm), rel=1e-6)
 
 
 @by_certificate
@@ -366,7 +280,7 @@ def test_computed_front_lies_in_the_enclosure(pair):
     xi = middles(front)
     assert abs(gf.evaluate_front(computed, xi) - floats(front.u_mid)).max() < front.error
     assert computed.attrs["error_estimate"] < front.error
-    assert 0 < float(front.shift) < 1.5e-9
+    assert 0 < float(front.shift) < 1.3 * front.error
     assert abs(gf.evaluate_front(computed, 0.0) - 0.5) < 1e-12
     falls = float(arb(front.fall))
     assert (np.diff(gf.evaluate_front(computed, np.linspace(falls, 2, 300))) < 0).all()
@@ -396,7 +310,8 @@ def test_slowest_mode_is_that_of_the_computed_front():
     assert numbers["rate_low"] - 1e-14 < rate < numbers["rate_high"] + 1e-14
     amplitude = (1 - gf.evaluate_front(computed, -12.0)) * np.exp(rate * 12)
     low, high = (numbers[f"amplitude_{end}"] for end in ("low", "high"))
-    assert low < amplitude < high < 1.05 * low
+    assert low < amplitude < high < 1.4 * low
+    assert amplitude == pytest.approx((low + high) / 2, rel=1e-3)
 
 
 @pytest.mark.parametrize(("gamma", "w", "n"), [(0.3, 1.3, 20), (1.4, 0.0, 15)])
@@ -493,17 +408,12 @@ def test_an_inequality_is_noted_with_its_sides_outwards_and_only_if_it_is_certai
     assert balls.largest([arb(2), arb(3), arb(1)]) == 3
 
 
-@pytest.mark.parametrize(
-    ("name", "law"),
-    [
-        ("overshoot", {"alpha": 2, "gamma": ("3/10", "300000001/1000000000")}),
-        ("dashpots", {"alpha": "3/2", "gamma": "3/10", "beta": 1}),
-    ],
-)
-def test_certificates_are_made_as_those_kept(name, law, tmp_path):
-    record = gf.prove_front(**law, path=tmp_path / "made.npz")
+@pytest.mark.parametrize(("name", "beta"), [("monotone", None), ("dashpots", 1)])
+def test_certificates_are_made_as_those_kept(name, beta, tmp_path):
+    record = gf.prove_front("3/2", "3/10", tmp_path / "made.npz", cells=16, fine=16, beta=beta)
     assert record["proved"], record["reason"]
-    made = {one["name"]: one["left"] for one in record["inequalities"]}
-    assert made.keys() == PROVED[name]["inequalities"].keys()
-    assert made["Z1 < 1"] == pytest.approx(PROVED[name]["inequalities"]["Z1 < 1"][0], rel=0.05)
-    assert record["error"] == pytest.approx(PROVED[name]["error"], rel=0.5)
+    made, known = {one["name"]: one["left"] for one in record["inequalities"]}, PROVED[name]
+    assert made.keys() == known["inequalities"].keys()
+    assert made["Z1 < 1"] == pytest.approx(known["inequalities"]["Z1 < 1"][0], rel=1e-3)
+    assert record["numbers"].keys() == known["numbers"].keys()
+    assert record["error"] == pytest.approx(known["error"], rel=0.5)

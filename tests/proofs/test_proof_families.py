@@ -12,36 +12,36 @@ from certificates import middles
 
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
-from granular_fronts.proofs import balls, certificate, stored
+from granular_fronts.proofs import balls, certificate, intervals, stored
 from granular_fronts.proofs.balls import in_balls
 from granular_fronts.proofs.certificate import prove_front, rational
 from granular_fronts.proofs.families import join, prove, prove_family, record
-from granular_fronts.proofs.intervals import (
-    CONCLUSIONS,
-    _require_conclusion,
-    _require_place,
-    prove_interval,
-)
+from granular_fronts.proofs.intervals import CONCLUSIONS, _require_conclusion, _require_place
 
 ENDS = ("0.3", "0.302", "0.304")
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
+def family(tmp_path_factory):
     """Two intervals of γ that meet at 0.302, of fronts with α = 2, which overshoot."""
-    folder = tmp_path_factory.mktemp("family")
-    records = list(prove_interval(2, ENDS[0], ENDS[2], folder, fine=20))
+    folder, fronts = tmp_path_factory.mktemp("family"), []
+
+    def kept(path, last):
+        fronts.append(prove(path, last))
+        return fronts[-1]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(intervals, "prove", kept)
+        records = list(intervals.prove_interval(2, ENDS[0], ENDS[2], folder, fine=12))
     names = [f"{folder}/{low}.npz" for low in ("0.300000", "0.302000")]
     assert [record["path"] for record in records] == names
-    return folder
+    return folder, fronts
 
 
 @pytest.fixture(scope="module")
-def known(folder):
-    """Both fronts, proved from their files and joined."""
-    first, second = sorted(folder.glob("*.npz"))
-    first = prove(first)
-    return first, prove(second, first)
+def known(family):
+    """Both fronts, as they were proved and joined."""
+    return family[1]
 
 
 def test_two_intervals_are_one_family(known):
@@ -52,9 +52,9 @@ def test_two_intervals_are_one_family(known):
     assert (falls["name"], shift["name"]) == ("P falls over (−1, 1)", "shift below a cell")
     assert first_falls["name"] == "the first P falls over (−1, 1)"
     assert last["name"] == "the front before is a translate"
-    assert last["left"] == pytest.approx(0.788, rel=0.01)
-    # Z₁, a change of the inverse by 1.8e-8 and one of the shift by 1.3e-8.
-    assert last["left"] - float(known[0].Z1.mid()) == pytest.approx(3.05e-8, rel=0.2)
+    assert last["left"] == pytest.approx(0.8666, rel=1e-3)
+    # Z₁, and little by changes of the inverse and of the shift.
+    assert last["left"] - float(known[0].Z1.mid()) == pytest.approx(4.88e-8, rel=0.05)
     assert max(one["error"] for one in records) < 1e-6
 
 
@@ -158,10 +158,10 @@ def test_junction_counts_the_whole_line(known, name, place):
 @pytest.mark.slow  # Makes and proves certificates.
 def test_what_is_not_proved_is_made_anew_and_the_rest_is_kept(folder, tmp_path):
     """A certificate of another interval, and none, in the place of the second."""
-    first, second = sorted(folder.glob("*.npz"))
+    first, second = sorted(family[0].glob("*.npz"))
     for file, place in ((first, first.name), (first, second.name)):
         (tmp_path / place).write_bytes(file.read_bytes())
-    records = list(prove_interval(2, ENDS[0], ENDS[2], tmp_path))
+    records = list(intervals.prove_interval(2, ENDS[0], ENDS[2], tmp_path))
     assert records[0]["gamma"][1] == records[1]["gamma"][0] == Fraction(ENDS[1])
     assert records[-1]["gamma"][1] == Fraction(ENDS[2])
     assert (tmp_path / first.name).read_bytes() == first.read_bytes()
@@ -190,7 +190,7 @@ def test_boxes_of_alpha_and_gamma_are_one_family(tmp_path):
 
 def test_impossible_numbers_and_fronts_that_are_not_found_are_refused(tmp_path, monkeypatch):
     with pytest.raises(InputError, match="six decimals"):
-        next(prove_interval("3/2", "0.30000001", "0.31", tmp_path))
+        next(intervals.prove_interval("3/2", "0.30000001", "0.31", tmp_path))
     for arguments, words in (
         (("3/2", ("0.31", "0.3")), "exchange its ends"),
         *(((alpha, "0.3"), "^alpha is .* above 1") for alpha in ("three", "1", f"{10**18}/3")),

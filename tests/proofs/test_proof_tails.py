@@ -32,9 +32,14 @@ def ball(fraction):
     return arb(fmpq(fraction.numerator, fraction.denominator))
 
 
-def enclosures():
+@pytest.fixture(scope="module")
+def bend():
+    return tail_roots.find_bend(BEND, 1e-6)
+
+
+def enclosures(bend):
     """By name and law: α*, γ_c for each α and the slowest roots, in balls and as computed."""
-    yield ("α*", ""), tail_roots.touching(tail_roots.find_bend(BEND, 1e-6)), meaning_changes_at()
+    yield ("α*", ""), tail_roots.touching(bend), meaning_changes_at()
     for alpha in CRITICAL:
         gamma = gf.critical_damping(float(alpha))
         roots = gf.tail_roots(float(alpha), gamma, count=3)
@@ -58,9 +63,9 @@ def parts(root):
 
 
 @pytest.fixture(scope="module")
-def found():
+def found(bend):
     """Enclosures and computed values by name and law."""
-    return {name: (enclosure, value) for name, enclosure, value in enclosures()}
+    return {name: (enclosure, value) for name, enclosure, value in enclosures(bend)}
 
 
 def test_computed_values_are_good_to_a_few_units_of_the_last_digit(found):
@@ -133,14 +138,13 @@ def test_no_double_root_beyond_the_last_alpha_or_beyond_the_bend(alpha, start, r
         tail_roots.double_root(arb(alpha), start, radius)
 
 
-def test_bend_and_the_last_alpha():
-    bend = tail_roots.find_bend(BEND, 1e-6)
+def test_bend_and_the_last_alpha(monkeypatch, bend):
     last = tail_roots.touching(bend)
     assert abs(last - meaning_changes_at()) < arb("1e-15")
     law = Law(last, -tail_roots.bell(bend, 1)[1] / last)
     tail_roots.require_zeros(law, "three", arb("2.45"), 3)
     tail_roots.require_zeros(law, "none", arb("2.24"), 0)
-    # The bell is even.
+    monkeypatch.setattr(tail_roots, "BEND_PARTS", 64)  # The bell is even.
     for start, radius in ((2.4, 1e-6), (2.3, 1e-3), (float("nan"), 1e-6), (-BEND, 1e-6)):
         with pytest.raises((NotProvedError, ValueError)):
             tail_roots.find_bend(start, radius)
@@ -200,8 +204,9 @@ ON_A_ROOT = "1.4726594827649096"
         *((far, "too far behind") for far in ("20.001", "1e300", "inf", "nan")),
     ],
 )
-def test_lines_through_a_root_and_without_end_count_nothing(w, words):
+def test_lines_through_a_root_and_without_end_count_nothing(monkeypatch, w, words):
     """A certificate may name any θ, and its check must end."""
+    monkeypatch.setattr(tail_roots, "MOST_PARTS", 500)
     with pytest.raises(NotProvedError, match=words):
         tail_roots.require_zeros(Law(ball(HERTZ), ball(Fraction(3, 10))), "theta", arb(w), 1)
 

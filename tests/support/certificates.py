@@ -8,14 +8,14 @@ import numpy as np
 
 from granular_fronts.proofs import arrays
 from granular_fronts.proofs.balls import in_balls
-from granular_fronts.proofs.checker import Front, check_certificate, read
+from granular_fronts.proofs.checker import Front, read
 from granular_fronts.proofs.dashpots.checker import DashpotFront
+from granular_fronts.proofs.families import record
 from projects import ROOT
 
 DATA = ROOT / "tests/proofs/test_proof_data"
 PROVED = json.loads((DATA / "proved.json").read_text())
 KEPT = {name: DATA / f"{name}.npz" for name in PROVED}
-KEPT["dashpots"] = ROOT / "docs/certificates/dashpots.npz"
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 
@@ -24,22 +24,24 @@ def load(name):
 
 
 @cache
-def proved(name):
-    """What a certificate that is kept proves, found once."""
-    return check_certificate(KEPT[name])
-
-
-@cache
-def _enclosed(name):
+def known(name):
+    """The front of a certificate that is kept, proved once, which no test changes."""
     with in_balls():
         front = DashpotFront(load(name)) if name == "dashpots" else Front(read(KEPT[name]))
-        list(front.prove())
+        front.statements = list(front.prove())
     return front
+
+
+def proved(name):
+    """What such a certificate proves, as the checker says it."""
+    found = record(KEPT[name], known(name)) | {"proved": True, "reason": ""}
+    del found["path"]
+    return found
 
 
 def enclosed(name, **changes):
     """A front that is proved from such a certificate, something of it changed; nothing is said."""
-    front = copy(_enclosed(name))
+    front = copy(known(name))
     front.inequalities, front.numbers = [], {}
     vars(front).update(changes)
     return front
@@ -99,18 +101,6 @@ def integrals(f, n):
     """Those of a function on (−1, 1) over cells about m/n, by the midpoint rule on halves."""
     halves = np.concatenate([[0], f((np.arange(-2 * n, 2 * n) + 0.5) / (2 * n)) / (2 * n), [0]])
     return halves[::2] + halves[1::2]
-
-
-def inverse_defect(g, p, ng, kernel, smooth, jumps):
-    """A bound of ‖g − k − k*g‖₁ and ‖g‖₁, g constant on cells of width 1/ng from −p on.
-
-    The kernel k varies by `smooth` where it is continuous and by `jumps` in all elsewhere.
-    """
-    e = -np.convolve(integrals(kernel, ng), g)
-    e[ng:-ng] += g
-    e[p * ng : (p + 2) * ng] -= kernel((np.arange(-ng, ng) + 0.5) / ng)
-    norm = abs(g).sum() / ng
-    return abs(e).sum() / ng + (smooth + (smooth + jumps) * norm) / (2 * ng), norm
 
 
 class Mesh:
