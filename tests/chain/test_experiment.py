@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from chains import driven_scene
+from chains import FREE, STRIKER, driven_scene
 
 import granular_fronts as gf
 from granular_fronts.chain.experiment import time_of_flight
@@ -11,8 +11,6 @@ from granular_fronts.errors import InputError
 from granular_fronts.fronts.solitary_waves import solitary_wave
 
 WIDTH = 2.0 * np.sqrt(np.log(2.0))
-STRIKER = {"kind": "striker", "beads": 1, "velocity": 1.0}
-FREE = {"kind": "pressure", "left": 0.0, "right": 0.0}
 
 
 def series_of(values, times, error=0.0):

@@ -2,17 +2,14 @@
 
 import numpy as np
 import pytest
-from chains import driven_scene, given
+from chains import FREE, REST, STRIKER, WALL, driven_scene, given
 from newton import solutions
 
 import granular_fronts as gf
 from granular_fronts.scenes.chain import Chain
 
-STRIKER = {"kind": "striker", "beads": 1, "velocity": 1.0}
-REST = {"kind": "rest"}
 PRESSED = given([0.1, 0.1, 0.1, 0.1, 0.0], [-1.0, 0.0, 0.0, 0.0, -0.5])
 TOUCHING = given([0.0] * 5, [0.0, 0.1, 0.1, -0.1, 0.2])
-WALL = {"kind": "wall", "left": 0.0}
 HELD = {"kind": "pressure", "left": 0.1, "right": 0.1}
 PULL = {"pulse": {"height": -0.1, "duration": 2.0}}
 SOON, ROUNDING = 1.0e-6, 1.0e-14
@@ -78,10 +75,9 @@ def test_a_contact_that_separates_from_touch_exerts_nothing():
     """With β = 1 its dashpot would pull: G'(u) is γ on one side of 0, and 0 on the other."""
     sensors = {"between": {"contacts": [1], "start": 0.0, "stop": 1.0, "step": 0.5}}
     record = {"snapshots": [1.0], "sensors": sensors}
-    free = {"kind": "pressure", "left": 0.0, "right": 0.0}
     for speed, force in ((-1.0, 0.0), (1.0, 0.3)):
         start = given([0.0], [speed, 0.0])
-        scene = driven_scene(0.3, 2, 1.0, beta=1.0, boundary=free, start=start, record=record)
+        scene = driven_scene(0.3, 2, 1.0, beta=1.0, boundary=FREE, start=start, record=record)
         assert gf.simulate_chain(scene)["contact_force_between"].values[0] == force
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from chains import TIGHT, driven_scene, given
+from chains import TIGHT, TODA, driven_scene, free_scene, given
 from scipy.optimize import brentq
 
 from granular_fronts.chain.recorder import END, END_TIME, TIME, VALUE
@@ -79,21 +79,15 @@ def test_a_run_that_ends_before_its_last_output_is_no_result():
         collect(run)
 
 
-TODA = {"elastic": {"kind": "toda", "strength": 1.0, "rate": 1.0}, "viscous": {"kind": "none"}}
-
-
-def free(law, u, velocity, end, relative=1e-9):
+def extremes_of(*scene):
     """A motion with free ends, its extremes recorded."""
-    scene = driven_scene(0.0, len(velocity), end, delta=0.0, start=given(u, velocity), law=law)
-    tolerance = {"relative": relative, "absolute": 1e-2 * relative}
-    record = {"snapshots": [], "extremes": True}
-    return simulate_chain(scene | {"tolerance": tolerance, "record": record})
+    return simulate_chain(free_scene(*scene, snapshots=[], extremes=True))
 
 
 @pytest.mark.parametrize("relative", [1e-5, 1e-14])
 def test_of_two_contacts_that_open_within_one_step_the_first_one_is_named(relative):
     """Contact 2 opens at 0.179797, contact 1 at 0.197058, neither at a kink."""
-    data = free(TODA, [0.2, 0.2], [-1.0, 0.0, 1.1], 1.0, relative)
+    data = extremes_of(TODA, [0.2, 0.2], [-1.0, 0.0, 1.1], 1.0, relative)
     assert data["first_gap_bead"] == 2
     assert float(data["first_gap_time"]) == pytest.approx(0.1797965101523, rel=10.0 * relative)
 
@@ -101,7 +95,7 @@ def test_of_two_contacts_that_open_within_one_step_the_first_one_is_named(relati
 @pytest.mark.parametrize(("sign", "name"), [(1.0, "largest"), (-1.0, "smallest")])
 def test_extremes_count_from_the_start_on_and_of_equal_ones_the_first(sign, name):
     law = {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}
-    data = free(law, [1.0, 1.0], [-1000.0 * sign, 0.0, 1000.0 * sign], 1e-3)
+    data = extremes_of(law, [1.0, 1.0], [-1000.0 * sign, 0.0, 1000.0 * sign], 1e-3)
     extreme = [
         float(data[f"{name}_relative_displacement{part}"]) for part in ("", "_time", "_bead")
     ]
@@ -120,7 +114,7 @@ def test_of_extremes_that_are_equal_up_to_rounding_the_first_one_counts():
 
 def test_equal_extremes_leave_time_uncertain_by_what_lies_between_them():
     """An undamped contact oscillates for ever: any of its maxima may be the largest."""
-    data = free(TODA, [0.0], [0.5, -0.5], 20.0)
+    data = extremes_of(TODA, [0.0], [0.5, -0.5], 20.0)
     period = 2.0 * np.pi / np.sqrt(2.0)
     assert data["largest_relative_displacement_time"].attrs["error_estimate"] > period
     assert data["largest_relative_displacement"].attrs["error_estimate"] < 1e-6
@@ -257,13 +251,6 @@ def test_no_turns_are_seen_in_the_steep_foot_of_a_front():
     smallest = solve(scene, {"relative": 1e-7, "absolute": 1e-9}).recording.smallest
     turned = smallest[VALUE, 1:60]
     assert turned[np.isfinite(turned)].min(initial=1.0) > 0.0
-
-
-def test_reductions_of_the_grid(motion):
-    u = motion["relative_displacement_grid"][:, :-1].sum("bead")
-    np.testing.assert_allclose(motion["mean_relative_displacement"], u / 24, rtol=0, atol=1e-16)
-    exact = 0.1**1.5 * motion["t_grid"]
-    np.testing.assert_allclose(motion["total_velocity"], exact, rtol=1e-13, atol=1e-13)
 
 
 def test_speed_is_the_slope_of_the_middle_and_none_without_a_slope():

@@ -4,7 +4,7 @@ import itertools
 
 import numpy as np
 import pytest
-from chains import driven_scene, given
+from chains import FREE, REST, STRIKER, TODA, WALL, driven_scene, given
 from scipy.integrate import simpson
 from scipy.interpolate import make_interp_spline
 
@@ -15,15 +15,11 @@ from granular_fronts.scenes.beads import Masses
 
 MASSES = {"count": 12, "mass": {"cell": [0.8, 0.4, 2.0]}}
 MASS = values_along(Masses(**MASSES["mass"]), 12)
-FREE = {"kind": "pressure", "left": 0.0, "right": 0.0}
-STRIKER = {"kind": "striker", "beads": 1, "velocity": 1.0}
 WAVE = given(0.5 + 0.2 * np.cos(np.arange(12)), 0.1 * np.sin(np.arange(12)))
-REST = {"kind": "rest"}
 FACTORS = {"elastic": {"cell": [1.0, 2.0]}, "viscous": {"taper": {"ratio": 1.1}}}
 ELASTIC = {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}
 HALF_SINE = {"half_sine": {"amplitude": 0.4, "duration": 9.0}}
 PASSING = ("momentum", "energy")
-TODA = {"elastic": {"kind": "toda", "strength": 1, "rate": 1}, "viscous": {"kind": "none"}}
 
 
 def sensed(sensor, end=8.0, **changes):
@@ -62,22 +58,12 @@ def test_forces_on_both_sides_accelerate_the_bead(inside, changes):
     assert np.quantile(difference, 0.9) < 1.0e-4
 
 
-def test_last_bead_feels_half_of_its_only_contact():
-    motion = gf.simulate_chain(sensed({"contacts": [11], "beads": [12]}, 12.0))
-    only, momentum = motion["contact_force_one"], motion["transmitted_momentum_one"]
-    assert only.max() > 0.05
-    np.testing.assert_array_equal(2.0 * motion["bead_force_one"].values, only.values)
-    np.testing.assert_allclose(
-        MASS[-1] * motion["velocity_one"].values, momentum.values, atol=1e-14
-    )
-
-
 @pytest.mark.parametrize(
     ("law", "boundary"),
     [
         (ELASTIC, FREE),
         (TODA, FREE),
-        (TODA, {"kind": "wall", "left": 0.0}),
+        (TODA, WALL),
         (TODA, {"kind": "ring"}),
     ],
 )

@@ -7,6 +7,9 @@ from granular_fronts.chain.recording import collect
 from granular_fronts.chain.simulate import solve
 
 TIGHT = {"relative": 1.0e-13, "absolute": 1.0e-15}
+FREE, WALL = {"kind": "pressure", "left": 0.0, "right": 0.0}, {"kind": "wall", "left": 0.0}
+REST, STRIKER = {"kind": "rest"}, {"kind": "striker", "beads": 1, "velocity": 1.0}
+TODA = {"elastic": {"kind": "toda", "strength": 1.0, "rate": 1.0}, "viscous": {"kind": "none"}}
 
 
 def driven_scene(gamma=0.06, beads=40, end_time=60.0, alpha=1.5, beta=None, delta=0.1, **changes):
@@ -27,6 +30,14 @@ def ring_scene(u, velocity, gamma=0.1, alpha=1.5, beta=None, end_time=10.0, **ch
     """A ring with a given start."""
     scene = driven_scene(gamma, len(u), end_time, alpha, beta)
     return scene | {"boundary": {"kind": "ring"}, "start": given(u, velocity)} | changes
+
+
+def free_scene(law, u, velocity, end_time, relative=1.0e-9, **record):
+    """A chain of given start with free ends."""
+    start = given(u, velocity)
+    scene = driven_scene(beads=len(velocity), end_time=end_time, delta=0.0, start=start, law=law)
+    tolerance = {"relative": relative, "absolute": 1.0e-3 * relative}
+    return scene | {"tolerance": tolerance, "record": scene["record"] | record}
 
 
 def smooth_ring(beads=24):
