@@ -8,7 +8,7 @@ import granular_fronts as gf
 from granular_fronts.chain import equations, run
 from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.equations import Boundary
-from granular_fronts.chain.simulate import simulate_chain, solve
+from granular_fronts.chain.simulate import solve
 from granular_fronts.chain.state import D
 
 BALANCES = {"snapshots": [], "balances": True}
@@ -55,9 +55,3 @@ def test_beads_ahead_of_the_wave_are_exactly_at_rest():
     assert not velocity[40:].any()
     assert velocity[19] > 0.05
     assert np.isnan(solution.drifts["energy_drift"])  # It was not asked for.
-
-
-def test_error_estimates_stand_beside_every_variable():
-    for variable in simulate_chain(driven_scene(end_time=20.0)).data_vars.values():
-        assert 0.0 < variable.attrs["error_estimate"] < 1.0e-12
-        assert variable.attrs["error_method"]

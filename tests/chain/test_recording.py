@@ -200,48 +200,45 @@ def test_extremes_and_first_peaks_are_those_of_the_samples(motion):
         assert time == pytest.approx(times[first], abs=2 * FINE)
 
 
+def two_modes(slow, fast, tau):
+    """u of two linear contacts between held ends, 1 + a sin τ ∓ b sin √3τ, and velocities."""
+    root = np.sqrt(3.0)
+    even, odd = slow * np.sin(tau), fast * np.sin(root * tau)
+    even_rate, odd_rate = slow * np.cos(tau), root * fast * np.cos(root * tau)
+    u, rates = [1.0 + even - odd, 1.0 + even + odd], [even_rate - odd_rate, even_rate + odd_rate]
+    return u, [rates[0], 0.0 * rates[0], -rates[1]]
+
+
+def swing(slow, fast, tau, end_time, level, relative):
+    """The motion of both modes from a phase on, with the first peaks above a level."""
+    start = given(*two_modes(slow, fast, tau))
+    held = {"kind": "pressure", "left": 1.0, "right": 1.0}
+    record = {"snapshots": [], "extremes": True, "arrival_level": level}
+    scene = driven_scene(0.0, 3, end_time, 1.0, boundary=held, start=start, record=record)
+    return solve(scene, {"relative": relative, "absolute": 1e-2 * relative})
+
+
 def test_a_first_peak_is_seen_where_u_turns_again_within_the_step():
-    r"""Two linear contacts: u̇_1 = 0.15 (cos τ − 1.02 cos √3τ) at τ = t − t_0 is 0 near ±0.14."""
-    share, fast, within = 1.02, np.sqrt(3.0), 0
-
-    def compressions(tau):
-        slow, quick = np.sin(tau), share * np.sin(fast * tau) / fast
-        return 1.0 + 0.15 * np.array([slow - quick, slow + quick])
-
-    top = brentq(lambda tau: np.cos(tau) - share * np.cos(fast * tau), -0.3, 0.0, xtol=1e-15)
+    """The rate of u_1 is 0.15 (cos τ − 1.02 cos √3τ), which is 0 near ±0.14."""
+    modes, within = (0.15, 0.15 * 1.02 / np.sqrt(3.0)), 0
+    top = brentq(lambda tau: two_modes(*modes, tau)[1][0], -0.3, 0.0, xtol=1e-15)
+    level = two_modes(*modes, -top)[0][0] - 1e-5
     for moment in np.linspace(2.0, 3.0, 21):
-        slow, quick = np.cos(moment), share * np.cos(fast * moment)
-        rates = 0.15 * (slow - quick), 0.15 * (slow + quick)
-        start = given(compressions(-moment), [rates[0], 0.0, -rates[1]])
-        held = {"kind": "pressure", "left": 1.0, "right": 1.0}
-        level = compressions(-top)[0] - 1e-5
-        scene = driven_scene(0.0, 3, moment + 0.6, 1.0, boundary=held, start=start)
-        scene["record"] = {"snapshots": [], "extremes": True, "arrival_level": level}
-        found = solve(scene, {"relative": 1e-5, "absolute": 1e-7})
+        found = swing(*modes, -moment, moment + 0.6, level, 1e-5)
         assert float(found.dataset["first_peak_time"][0]) == pytest.approx(moment + top, abs=1e-3)
         within += not ((moment + top < found.ends) & (found.ends < moment - top)).any()
     assert within >= 10
 
 
 def test_a_first_peak_comes_after_the_arrival():
-    r"""Two linear contacts, u_1 = 1 + 0.1 (sin τ − sin √3τ): a maximum below the level is none."""
-    fast, begin = np.sqrt(3.0), 8.0
-    tau = begin + np.linspace(0.0, 12.0, 12001)
-    slow, quick = 0.1 * np.sin(tau), 0.1 * np.sin(fast * tau)
-    u = 1.0 + slow - quick
+    """A maximum below the level is none."""
+    tau = 8.0 + np.linspace(0.0, 12.0, 12001)
+    u = two_modes(0.1, 0.1, tau)[0][0]
     low, high, *_ = 1 + np.flatnonzero((u[1:-1] > u[:-2]) & (u[1:-1] >= u[2:]))
     assert u[low] < u[high] - 0.01
-    slow_rate, quick_rate = 0.1 * np.cos(begin), 0.1 * fast * np.cos(fast * begin)
-    start = given(
-        np.array([u[0], 1.0 + slow[0] + quick[0]]),
-        [slow_rate - quick_rate, 0.0, -slow_rate - quick_rate],
-    )
-    held = {"kind": "pressure", "left": 1.0, "right": 1.0}
-    record = {"snapshots": [], "extremes": True, "arrival_level": 0.5 * (u[low] + u[high])}
-    scene = driven_scene(0.0, 3, 12.0, 1.0, boundary=held, start=start, record=record)
-    found = solve(scene, {"relative": 1e-9, "absolute": 1e-11}).dataset
+    found = swing(0.1, 0.1, tau[0], 12.0, 0.5 * (u[low] + u[high]), 1e-9).dataset
     assert float(found["first_peak"][0]) == pytest.approx(u[high], abs=1e-7)
-    assert float(found["first_peak_time"][0]) == pytest.approx(tau[high] - begin, abs=1e-3)
+    assert float(found["first_peak_time"][0]) == pytest.approx(tau[high] - tau[0], abs=1e-3)
 
 
 def test_no_turns_are_seen_in_the_steep_foot_of_a_front():
