@@ -19,6 +19,7 @@ from granular_fronts.reference_methods.extended import OTHER_TOLERANCE, TOLERANC
 from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
 
 RELATIVE, ABSOLUTE = 1.0e-13, 1.0e-15
+BEADS, END_TIME = 40, 30.0
 RING = {
     "law": {"alpha": 1.1, "gamma": 0.24},
     "displacement": 5,
@@ -39,7 +40,7 @@ class Case(NamedTuple):
 
 
 def _chain(
-    law: dict[str, float], beads: int = 40, end_time: float = 30.0, unit: float = 1.0, **ends: Any
+    law: dict[str, float], beads: int, end_time: float, unit: float = 1.0, **ends: Any
 ) -> dict[str, Any]:
     """Return a pressed chain, whose displacements are as large as `unit`."""
     record = {"snapshots": [end_time], "balances": True}
@@ -58,7 +59,7 @@ def _largest(difference: np.ndarray) -> float:
 
 def _front_starts(alpha: float = 1.5, gamma: float = 0.1, beta: float | None = None) -> Case:
     """A front starts, as in section 3.3."""
-    scene = _chain(kuwabara_kono(alpha, gamma) | {"beta": beta or alpha})
+    scene = _chain(kuwabara_kono(alpha, gamma) | {"beta": beta or alpha}, BEADS, END_TIME)
     known, other = (
         np.hstack(Motion(scene, tolerance).states([scene["end_time"]]))[0]
         for tolerance in (TOLERANCE, OTHER_TOLERANCE)
@@ -72,8 +73,8 @@ def _at_another_pressure(delta: float) -> Case:
     """With x = δ x̂ and t = δ^{(1−α)/2} t̂ no motion depends on δ, (27)-(30)."""
     time = delta**-0.25  # for α = 3/2
     law = kuwabara_kono(1.5, 0.1 * time)
-    u, velocity = _last(_chain(law, end_time=30.0 * time, unit=delta, left=delta)) / delta
-    known = _last(_chain(kuwabara_kono(1.5, 0.1)))
+    u, velocity = _last(_chain(law, BEADS, END_TIME * time, delta, left=delta)) / delta
+    known = _last(_chain(kuwabara_kono(1.5, 0.1), BEADS, END_TIME))
     return Case("δ = 1, scaled", _largest(np.stack([u, velocity * time]) - known), 1.0e-12)
 
 
