@@ -32,25 +32,6 @@ def test_floor_of_zero_is_the_limit_of_small_floors():
     np.testing.assert_allclose(*ends, rtol=0, atol=1e-12)
 
 
-def test_order_away_from_kinks():
-    """From a smooth positive start the spatial order is six."""
-    start = 1.0 + 0.5 * np.sin(np.pi * np.linspace(-1.0, 1.0, 65))
-    start[-1] = start[0]
-    given = {"kind": "given", "rescaled_force": start}
-    scene = scene_with(start=given, half_beads=10, end_time=60.0)
-    reference, cells = at_end(scene, 1.0, 768, 1e-12), [32, 48, 64, 96]
-    errors = [np.abs(at_end(scene, 1.0, n, 1e-12) - coarsen(reference, n)).max() for n in cells]
-    assert_order(cells, errors, 6.0, 0.3)
-
-
-def test_steps_are_of_fourth_order():
-    """The error estimate goes like h⁴, so that the error is proportional to the tolerance."""
-    scene, tolerances = scene_with("hertz"), np.array([1e-6, 1e-7, 1e-8])
-    reference = at_end(scene, 1.0, 512, 1e-12)
-    errors = [np.abs(at_end(scene, 1.0, 512, t) - reference).max() for t in tolerances]
-    assert_order(1.0 / tolerances, errors, 1.0, 0.15, scatter=0.1)
-
-
 @pytest.mark.parametrize(
     ("name", "cells", "tolerance", "finer"), [("weak", 256, 2e-6, 8), ("hertz", 640, 1e-5, 4)]
 )

@@ -1,4 +1,4 @@
-"""The heteroclinic orbit against exact solutions, 50-digit arithmetic, and its own identities."""
+"""The heteroclinic orbit against exact solutions, 35-digit arithmetic, and its own identities."""
 
 import functools
 import math
@@ -7,7 +7,6 @@ import mpmath as mp
 import numpy as np
 import pytest
 from heteroclinic_reference import DIGITS, Reference
-from scipy.integrate import solve_ivp
 
 import granular_fronts as gf
 from granular_fronts.accuracy import EPSILON
@@ -27,9 +26,7 @@ from granular_fronts.continuum.log_kdv_burgers.heteroclinic import (
 from granular_fronts.continuum.log_kdv_burgers.slow_manifold import (
     FEWER_TERMS,
     STIFF_DAMPING,
-    expand,
     slow_orbit,
-    state_on_manifold,
 )
 from granular_fronts.continuum.log_kdv_burgers.survey import (
     measure_rates,
@@ -38,7 +35,6 @@ from granular_fronts.continuum.log_kdv_burgers.survey import (
 )
 from granular_fronts.continuum.log_kdv_burgers.traced_orbit import (
     FINER_STEPS,
-    Accuracy,
     trace_orbit,
 )
 from granular_fronts.model.amplitude_scaling import gamma_for
@@ -60,7 +56,7 @@ CASES = [
 
 @functools.cache
 def reference(mu, s_stop):
-    """The orbit to fifty digits, as far as it must reach; tests of one μ share it."""
+    """The orbit as far as it must reach; tests of one μ share it."""
     return Reference(mu, s_stop, p_start=40 if mu < 10 else 5)
 
 
@@ -69,7 +65,7 @@ def digits(value):
 
 
 @pytest.mark.parametrize(("mu", "s_stop"), CASES)
-def test_orbit_agrees_with_fifty_digits(mu, s_stop):
+def test_orbit_agrees_with_many_digits(mu, s_stop):
     exact = reference(mu, s_stop)
     s = np.linspace(s_stop + 0.25, 9.0, 25)
     front = gf.heteroclinic(mu, s)
@@ -112,7 +108,7 @@ def test_undamped_orbit_is_the_gaussian():
 
 
 @pytest.mark.parametrize("mu", [1.0e-12, 0.3, 1.9])
-def test_overshoots_agree_with_fifty_digits(mu):
+def test_overshoots_agree_with_many_digits(mu):
     s_stop = -30
     front = gf.heteroclinic(mu, [s_stop, 0.0])
     exact = [turn for turn in reference(mu, s_stop).turning_points() if turn[0] >= s_stop]
@@ -137,56 +133,27 @@ def test_every_resolvable_turn_is_found(mu):
     assert (np.abs(overshoot) >= EPSILON).all()
 
 
-@pytest.mark.parametrize("mu", [2.0 - 1.0e-8, 2.0, 2.0 + 1.0e-8])
-def test_transition_is_smooth_and_monotone(mu):
+def test_fronts_of_the_transition_are_monotone_and_close():
     s = np.linspace(-50.0, 20.0, 1001)
-    front = gf.heteroclinic(mu, s)
-    assert front.sizes["turn"] == 0
-    assert (front["slope"] <= 0.0).all()
     critical = gf.heteroclinic(2.0, s)["rescaled_force"]
-    assert abs(front["rescaled_force"] - critical).max() < 1.0e-8
-
-
-def test_overshoot_appears_below_the_transition():
-    """Its size falls like e^(−πμ/2ω), ω² = 1 − μ²/4, through the last digit near μ = 1.99."""
-    assert [turning_points(mu)[0].size for mu in (1.98, 1.99, 1.995, 1.999, 2.0, 3.0)] == [
-        *(1, 1, 0, 0, 0, 0)
-    ]
+    for mu in (2.0 - 1.0e-8, 2.0, 2.0 + 1.0e-8):
+        front = gf.heteroclinic(mu, s)
+        assert front.sizes["turn"] == 0
+        assert (front["slope"] <= 0.0).all()
+        assert abs(front["rescaled_force"] - critical).max() < 1.0e-8
+        assert squared_slope_at_one(mu) < 1.0e-40
+    # Below, an overshoot is of size e^(−πμ/2ω), ω² = 1 − μ²/4, the last digit near μ = 1.99.
+    turns = [turning_points(mu)[0].size for mu in (1.98, 1.99, 1.995, 1.999, 2.0, 3.0)]
+    assert turns == [1, 1, 0, 0, 0, 0]
 
 
 @pytest.mark.parametrize("mu", [0.3, 1.99])
-def test_squared_slope_at_one_agrees_with_fifty_digits(mu):
+def test_squared_slope_at_one_agrees_with_many_digits(mu):
     exact = reference(mu, -40)
     orbit = compute_orbit(mu, -40.0)
     p, v = exact.at(orbit.s_at(0.0))
     assert abs(p) < 2.0e-13 * abs(v)
     assert squared_slope_at_one(mu) == pytest.approx(float(v) ** 2, rel=1.0e-13)
-
-
-def test_squared_slope_at_one_is_known_where_y_cannot_show_it():
-    """By the angle in the plane of ln y and its rate, and the logarithm of the distance."""
-    mu, start = 1.999, (20.0, 400.0)
-
-    def rates(s, state):
-        cosine, sine = np.cos(state[0]), np.sin(state[0])
-        growth = np.exp(state[1]) * sine**2 + mu * sine
-        return [sine**2 - cosine * (growth - cosine), -sine * growth]
-
-    def crossing(s, state):
-        return state[0] - 0.5 * np.pi
-
-    crossing.terminal = True
-    begin = [np.arctan2(*start), np.log(np.hypot(*start))]
-    found = solve_ivp(
-        rates, [0.0, 2000.0], begin, "DOP853", events=crossing, rtol=1e-12, atol=1e-13
-    )
-    expected = np.exp(2.0 * found.y_events[0][0][1])
-    assert 1e-88 < expected < 1e-87
-    assert squared_slope_at_one(mu) == pytest.approx(expected, rel=1e-8)
-
-
-def test_squared_slope_at_one_vanishes_from_the_transition_on():
-    assert max(map(squared_slope_at_one, [2.0 - 1.0e-8, 2.0, 11.9, 12.0, 50.0])) < 1.0e-40
 
 
 @pytest.mark.parametrize("mu", [0.3, 2.5, 11.0, 50.0])
@@ -198,28 +165,6 @@ def test_rates_read_off_an_orbit_are_the_eigenvalues_within_their_errors(mu):
     square = survey_fronts([mu], np.array([-1.0, 0.0]))["squared_slope_at_one"]
     # It is 0 from μ = 2 on, and what is found there the error.
     assert square.error_estimate == (np.spacing(square) if mu < 2.0 else square)
-
-
-def test_expansion_starts_with_the_terms_worked_out_by_hand():
-    """Terms of H: 1 + μr³ − 3μr⁵ + 5μ²r⁶ + …"""
-    np.testing.assert_allclose(
-        expand(0.5, 7), [1.0, 0.0, 0.0, 0.5, 0.0, -1.5, 1.25], rtol=0, atol=1e-15
-    )
-    scaled = np.array([1.0, 0.0, 0.0, 4.0, 0.0, -12.0, 80.0]) / 4.0 ** np.arange(7)
-    np.testing.assert_allclose(expand(4.0, 7), scaled, rtol=0, atol=1e-15)
-
-
-@pytest.mark.parametrize(("terms", "order"), [(4, 5), (6, 6)])
-def test_expansion_has_the_order_of_its_first_missing_term(terms, order):
-    mu, r = 0.7, np.array([1.0 / 20.0, 1.0 / 40.0])
-    errors = [
-        abs(
-            state_on_manifold(mu, expand(mu, terms), v)[1]
-            - state_on_manifold(mu, expand(mu, 30), v)[1]
-        )
-        for v in 0.5 / r - 0.5 * mu
-    ]
-    assert math.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.2)
 
 
 @pytest.mark.parametrize("mu", [12.0, 14.0])
@@ -234,15 +179,6 @@ def test_closed_form_and_trace_agree_where_both_hold(mu):
     fewer = slow_orbit(mu, FEWER_TERMS).evaluate(front["s"].values)[0]
     assert error < (estimate if mu == STIFF_DAMPING else 2.0e-15)
     assert np.abs(np.exp(-fewer) - front["rescaled_force"]).max() <= estimate
-
-
-@pytest.mark.parametrize("tolerance", [1.0e-4, 1.0e-10])
-def test_error_follows_the_tolerance(tolerance):
-    s = np.linspace(-30.0, 9.0, 301)
-    exact, orbit = (trace_orbit(0.3, -30.0, a) for a in (FINER_STEPS, Accuracy(12, tolerance, 4.0)))
-    error = np.abs(np.exp(-orbit.evaluate(s)[0]) - np.exp(-exact.evaluate(s)[0])).max()
-    assert error < 2.0 * tolerance
-    assert len(orbit.front.starts) < 150 * (1.0e-10 / tolerance) ** (1.0 / 12.0)
 
 
 def test_points_may_come_in_any_order_and_alone():

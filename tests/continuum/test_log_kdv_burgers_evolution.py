@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from log_kdv_reference import evolve_differences
 from rings import assert_order, scene_with
 from scipy import fft
 from waves_on_rings import moved, points_of, smooth_wave
@@ -18,21 +17,13 @@ from granular_fronts.continuum.log_kdv_burgers.exponential_steps import (
 )
 from granular_fronts.continuum.log_kdv_burgers.fourier_waves import (
     Equation,
-    flux_amplitudes,
-    linear_rates,
-    start_amplitudes,
     values_at,
     values_on_points,
-    wave_numbers,
 )
 from granular_fronts.continuum.log_kdv_burgers.solution import follow, solve
-from granular_fronts.model.amplitude_scaling import make_slow_scales
 from granular_fronts.scenes.ring import Ring
 
 CIRCLE = np.exp(2j * np.pi * (np.arange(64) + 0.5) / 64)
-
-
-# Parts.
 
 
 def test_phi_functions_are_the_means_over_circles():
@@ -45,35 +36,6 @@ def test_phi_functions_are_the_means_over_circles():
     for functions in (phi_functions(z), doubled(*phi_functions(0.5 * z))):
         for found, values in zip(functions, (exponential, first, second, third), strict=True):
             np.testing.assert_allclose(found, values.mean(axis=1), rtol=2e-13, atol=1e-15)
-
-
-def test_rates_are_those_of_the_equation():
-    """ŷ' of a smooth wave is −∂(y ln y) − D∂³y + ν∂²y."""
-    half_length, nu, d = 5.0, 0.7, 0.3
-    x = points_of(half_length, 64)
-    k = np.pi / half_length
-    y = 2.0 + np.sin(k * x)
-    first, second, third = k * np.cos(k * x), -(k**2) * np.sin(k * x), -(k**3) * np.cos(k * x)
-    equation = Equation(half_length, nu, d, 1e-16)
-    kappa = wave_numbers(equation, 64)
-    amplitudes = fft.rfft(y, norm="forward")
-    rates = linear_rates(equation, kappa) * amplitudes
-    rates += -1j * kappa * flux_amplitudes(equation, amplitudes, 64)
-    exact = -(np.log(y) + 1.0) * first - d * third + nu * second
-    np.testing.assert_allclose(values_on_points(rates, 64), exact, atol=1e-13)
-
-
-def test_scales_of_sections_4_and_5_agree():
-    """s = μξ and τ₅ = μτ, so that the dispersion in ξ and τ is μ⁻²."""
-    for alpha, gamma, delta in ((1.1, 0.24, 5.0), (1.01, 0.02, 0.3)):
-        scales = make_slow_scales(alpha, gamma, delta)
-        amplitude = amplitude_of_chain(alpha, gamma, delta)
-        assert scales.dispersion == pytest.approx(amplitude.mu**-2, rel=1e-13)
-        assert amplitude.s_per_bead == pytest.approx(amplitude.mu * scales.epsilon, rel=1e-13)
-        assert amplitude.tau_per_time == pytest.approx(amplitude.mu * scales.slow_rate, rel=1e-13)
-
-
-# Balances.
 
 
 @pytest.mark.parametrize("dispersion", [0.1, 1.0])
@@ -89,9 +51,6 @@ def test_decay_of_the_square_is_the_dissipation(dispersion):
     decay = 0.5 * (squares[0] - squares[1])
     assert decay == pytest.approx(0.5 * end * weights @ losses, abs=1e-7)
     assert decay > 0.5
-
-
-# Orders.
 
 
 def test_steps_are_of_fourth_order():
@@ -118,25 +77,6 @@ def errors_of(ends):
     return np.array([np.abs(values_on_points(end - ends[-1], 64)).max() for end in ends[:-1]])
 
 
-def test_space_is_exact_to_all_orders_where_y_is_positive():
-    """The logarithm of the error falls in proportion to the number of points."""
-    half_length, points, ends = 10.0, np.array([12, 16, 20, 24, 28, 32]), []
-    for n in (*points, 128):
-        equation = Equation(half_length, 1.0, 0.5, 1e-13)
-        amplitudes = np.zeros(n // 2 + 1, complex)
-        amplitudes[:3] = start_amplitudes(smooth_wave(half_length), half_length, 128)[:3]
-        motion = Motion(equation, amplitudes, n, 1e-12)
-        motion.advance(2.0)
-        ends.append(values_at(motion.amplitudes, half_length, points_of(half_length, 100)))
-    logarithms = np.log([np.abs(end - ends[-1]).max() for end in ends[:-1]])
-    line = np.polynomial.Polynomial.fit(points, logarithms, 1).convert()
-    assert line.coef[1] < -0.5
-    assert np.abs(line(points) - logarithms).max() < 0.8
-
-
-# Other methods.
-
-
 def test_without_dispersion_it_is_the_logarithmic_burgers_equation():
     """The same ring by sixth-order finite volumes."""
     scene = scene_with("hertz", end_time=30.0)
@@ -150,28 +90,6 @@ def test_without_dispersion_it_is_the_logarithmic_burgers_equation():
     )
     found = values_at(kept[0], half_length, x)
     np.testing.assert_allclose(found, accurate, rtol=0, atol=2e-8)
-
-
-@pytest.mark.parametrize(
-    ("half_length", "dispersion", "end", "changes_sign"),
-    [(10.0, 0.8, 4.0, False), (20.0, 2.0, 2.0, True)],
-)
-def test_central_differences_and_implicit_steps_agree(half_length, dispersion, end, changes_sign):
-    """On a positive wave, and from the wave that dispersion has made of the plateau."""
-    n, tolerance = (640, 1e-8) if changes_sign else (160, 1e-9)
-    start = smooth_wave(half_length).values(points_of(half_length, n), half_length)
-    if changes_sign:
-        equation = Equation(half_length, 1.0, dispersion, tolerance)
-        start = values_on_points(follow(equation, Plateau(5.0, 1e-7), [0.3], n, 1e-7)[0][0], n)
-    assert (start.min() < -0.05) == changes_sign
-    motion = moved(start, half_length, tolerance, end, dispersion=dispersion)
-    other = evolve_differences(start, half_length, dispersion, end, 10.0 * tolerance)
-    found, limit = values_on_points(motion.amplitudes, n), 2e-5 if changes_sign else 2e-7
-    np.testing.assert_allclose(found, other, rtol=0, atol=limit)
-    assert np.abs(other - start).max() > 0.3
-
-
-# Scenes.
 
 
 def test_datasets_state_an_error_that_holds():
@@ -213,16 +131,6 @@ def test_error_of_long_steps_is_stated_too():
     exact = solve(Ring.read(scene), [5.0], 1024, 1e-7).rescaled_force(0, force["xi"].values)
     error = np.abs(force.values[0] - exact).max()
     assert 0.9 * force.attrs["error_estimate"] < error < 1.2 * force.attrs["error_estimate"]
-
-
-def test_rows_do_not_depend_on_the_order_of_times():
-    scene = Ring.read(scene_with("weak"))
-    forward, backward = (
-        solve(Ring.read(scene), [5.0, 30.0], 256, 1e-5),
-        solve(Ring.read(scene), [30.0, 5.0], 256, 1e-5),
-    )
-    xi = np.linspace(-20.0, 20.0, 30).reshape(5, 6)
-    np.testing.assert_array_equal(forward.rescaled_force(1, xi), backward.rescaled_force(0, xi))
 
 
 def test_refined_run_halves_every_step():
