@@ -23,22 +23,6 @@ def stiffness(u):
 # The balance.
 
 
-@pytest.mark.parametrize("beta", ["alpha", 1])
-def test_balance_holds_for_any_stiffness(beta):
-    """Lemma 28 contact by contact, at one time, for random a, q and their rates."""
-    rng = np.random.default_rng(1)
-    x, j = np.pad(rng.normal(size=(2, 30)), [(0, 0), (2, 2)])
-    a, q, slope = rng.uniform(0.1, 2.0, size=(3, x.size))
-    w = x - np.append(x[1:], 0.0)
-    h = a * w
-    J = j + 0.3 * (h if beta == "alpha" else w)
-    gamma = 0.3 if beta == "alpha" else 0.3 / a
-    rate = np.sum(x * (np.append(0.0, J[:-1]) - J) + 2 * q * j * h - slope * j**2)
-    lag = (1 - 2 * q * a) / (2 * gamma)
-    lost = np.sum(gamma / a * (h + lag * j) ** 2 + (slope - a / gamma * (q - 0.5 / a) ** 2) * j**2)
-    assert rate == pytest.approx(-lost, rel=1e-12)
-
-
 def sums_ahead(f):
     return np.cumsum(f[::-1], axis=0)[::-1]
 

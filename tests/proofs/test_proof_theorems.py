@@ -9,7 +9,7 @@ import pytest
 from certificates import KEPT, enclosed, load
 from flint import arb
 
-from granular_fronts.proofs import arrays, balls
+from granular_fronts.proofs import arrays, balls, checker, dashpots
 from granular_fronts.proofs.__main__ import main
 from granular_fronts.proofs.arrays import ends
 from granular_fronts.proofs.balls import NotProvedError, in_balls
@@ -272,32 +272,22 @@ def test_critical_damping_is_printed_without_scipy(capsys):
 # Checks that end.
 
 
-def long(name):
-    """A certificate whose check would not end soon, from one that is proved."""
-    if name == "dashpots":
-        data = load(name)
-        data["sizes"][[3, 4]] = 1000
-        cells = 1000 * int(data["sizes"][2])
-        for kind, reach in (("behind", [4, 5]), ("ahead", [8, 9])):
-            size = 1, cells * sum(data["sizes"][reach])
-            data[f"inverse_{kind}"] = np.broadcast_to(np.int32(0), size)
-        return data
-    data = dict(np.load(FAMILY / "0.262000.npz"))
-    if name == "parts":
-        data["starts"][3] = 999
-        data["profile"] = np.concatenate([data["profile"][:, :1]] * 2000, axis=1)
-        data["sizes"][0] = 2000 / data["sizes"][2] - data["sizes"][1]
-    else:
-        data["sizes"][6] = 1000
-        data["inverse"] = np.zeros((1, 20_000 * sum(data["sizes"][3:5])), dtype=np.int32)
-        data["slow_inverse"] = np.broadcast_to(np.int32(0), (1, 20_000_000))
-    return data
-
-
-@pytest.mark.parametrize("name", ["parts", "inverse", "dashpots"])
-def test_a_check_that_would_take_long_is_not_begun(name):
-    with pytest.raises(NotProvedError, match="its check would take about"):
-        (DashpotFront if name == "dashpots" else Front)(long(name))
+@pytest.mark.parametrize(
+    ("name", "module", "pieces"),
+    [("critical", checker, 1 + 2 / 50), ("dashpots", dashpots.checker, 2)],
+)
+def test_the_time_of_a_check_is_estimated_from_all_that_a_certificate_holds(
+    name, module, pieces, monkeypatch
+):
+    """Rows of the matrix, cells of inverses and of a bead of them, and polynomials on cells."""
+    data, asked = load(name), []
+    monkeypatch.setattr(module, "require_short", lambda *sizes: asked.extend(sizes))
+    (DashpotFront if name == "dashpots" else Front)(data)
+    entries = sum(values.size for field, values in data.items() if "inverse" in field)
+    behind, ahead, n = data["sizes"][:3]
+    fine = n * data["sizes"][3 if name == "dashpots" else 6]
+    expected = len(data["correction"]), entries, fine, pieces * (behind + ahead) * n
+    assert asked == pytest.approx(expected)
 
 
 @pytest.mark.parametrize("large", [0, 1, 2, 3])
