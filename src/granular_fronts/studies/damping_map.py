@@ -15,6 +15,8 @@ Every curve is a root in γ at a given α, bracketed by a sweep and found by Bre
 fronts.  An error e of u is one of :math:`e/|f'|` in γ where f vanishes.
 """
 
+from functools import cache
+
 import numpy as np
 import xarray as xr
 from scipy.optimize import brentq
@@ -112,6 +114,7 @@ def _change(alpha, dampings, after, vanishing):
         return NOWHERE
     before, behind = dampings[k - 1 : k + 1]
 
+    @cache
     def function(gamma):
         return vanishing(*_peaks(alpha, gamma))
 
