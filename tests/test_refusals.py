@@ -89,7 +89,6 @@ REFUSALS[CHAIN] = [
     ({"boundary": None}, "boundary is null"),
     ({"start": ...}, "start is missing"),
     ({"beads": 1}, "beads is 1 | pressure | take a wall"),
-    ({"beads": 420.0}, "beads is 420.0"),
     ({"beads": True}, "beads is true"),
     ({"beads": 10**30}, "beads is 1000000000000000000000000000000 | beyond what an array"),
     ({"beads": "420.5"}, 'beads is "420.5"'),
@@ -105,14 +104,12 @@ REFUSALS[CHAIN] = [
     ({"beads": 1e30}, "beads is 1e+30 | give a whole number"),
     ({"law": {"alpha": 1, 5: None, "beta": 1, "gamma": 1}}, "law.5 is no key | no comma | point"),
     ({"end_time": 10**400}, "beyond what an array can hold"),
-    ({"end_time": 0}, "end_time is 0 | above 0"),
     ({"end_time": "long"}, 'end_time is "long"'),
     ({"tolerance__relative": "1.0e-13"}, 'relative is "1.0e-13" | write 1.0e-13'),
     ({"tolerance__relative": "1e-13"}, 'relative is "1e-13" | exponent | write 1.0e-13'),
     ({"boundary": {"kind": "rign"}}, 'boundary.kind is "rign" | pressure or ring or piston'),
     ({"boundary__kind": "ring"}, "boundary.left is no key\nboundary.right is no key"),
     ({"start": {"kind": "given"}}, "relative_displacement is missing\nvelocity is missing"),
-    ({"boundary": PISTON | {"ramp": -2}}, "boundary.ramp is -2 | limit 0"),
     ({f"{STEADY}beads": []}, "record.probes.steady.beads is empty"),
     ({"record__probes__Fig 1": PROBE}, '"Fig 1" in record.probes'),
     ({"record__probes": {3: PROBE}}, "3 in record.probes is no usable name"),
@@ -204,14 +201,11 @@ REFUSALS[chain_of] = [
     ({"law": {"elastic": {"rate": 1}}}, "law.elastic.kind is missing"),
     ({"law": {"viscous": {"kind": "none"}}}, "law.elastic is missing"),
     (of("lennard_jones", distance=0.2), "boundary.left is 0.3 | 0.2 only"),
-    (of("hertz", alpha=0.5), "law has alpha 0.5, below 1"),
-    (of("hertz", alpha=300), "law has alpha 300 | energies of about 1e-157 | 1e±140"),
     (
         {"law": TODA, "boundary": pressed(1e-200)},
         "law.elastic | about 1e-200 | energies of about 1e-323 | 1e±140\n"
         "law.viscous | about 1e-200 | 1e±140",
     ),
-    ({"boundary": pressed(-0.1)}, "boundary.left is -0.1 | limit 0"),
     ({"record": {"snapshots": [], "arrival_level": -0.1}}, "level is -0.1 | above 0"),
     (
         {"law": gf.make_law(elastic=BARRIER), "boundary": {"kind": "piston", "velocity": 0.0}},
@@ -299,7 +293,6 @@ REFUSALS[chain_of] += [
     (push(1.0e200), "law has alpha 1.5 | energies of about 1e+333"),
     (push({"square": SINE}), "boundary.force.square is no key | pulse, half_sine"),
     (push({"harmonic": SINE, "pulse": STEP}), "give one"),
-    (push({"pulse": STEP | {"duration": 0}}), "pulse.duration is 0 | above 0"),
     (push({"table": {"times": [0, 1], "values": [1]}}), "2 entries, but values has 1"),
     (push({"table": {"times": [0, 2, 1], "values": [1] * 3}}), "(entry 3) is 1 | is 2"),
     (push({"table": {"times": [-1, 0], "values": [1, 1]}}), "(entry 1) is -1"),
@@ -318,8 +311,6 @@ REFUSALS[chain_of] += [
     (sensor(contacts=[20]), "sensors.one.contacts names contact 20 | 19 contacts | 1 to 19"),
     (sensor(beads=[21]), "sensors.one.beads names bead 21 | 20 beads"),
     (sensor(), "sensors.one has neither contacts nor beads"),
-    (sensor(contacts=[1], step=30.0), "sensors.one.step"),
-    (sensor(contacts=[1], stop=13.0), "sensors.one.stop is 13 | end_time 12"),
     (sensor(contacts=[1], step=1e-8), "sensors.one.step is 1e-08 | GiB"),
     (
         {"record": sensor(contacts=[1])["record"] | {"probes": {"one": PROBE}}},
@@ -372,7 +363,6 @@ REFUSALS[section] = [
     (("exact_fronts.survey.gamma", ...), "survey.gamma is missing | Dampings at equal ratios"),
     # Entries listed twice, unknown names, what is no mapping.
     (("exact_fronts.survey.alpha", [1.1, 1.5, 1.1]), "exact_fronts.survey.alpha (entry 3) is 1.1"),
-    ((RING, None), f"{RING} is null"),
     (("results", ""), "results is empty"),
     (("scenes.heteroclinic", ...), "scenes.heteroclinic is missing"),
     (("scenes.chian", {}), "did you mean chain?"),
@@ -392,8 +382,6 @@ REFUSALS[section] = [
     (("laws.materials.beads.cork.gamma", 0.438), "gamma is 0.438 | below 0.438"),
     ((f"{THETA}.order.steps", [0.24]), "order.steps has 1 entry | limit 3"),
     ((f"{STATES}", lattice({"kind": "toda"}, -1, -0.5, 0)), "states has 3 entries: list 2"),
-    ((BEADS, {"count": 9, "mass": {"taper": {"ratio": -1}}}), "ratio is -1 | above 0"),
-    ((BEADS, {"count": 0}), "beads.count is 0 | 1"),
     ((BEADS, {"count": 10**9, "cell": ["steel 9.5 mm"]}), "beads.count is 1000000000 | GiB"),
     ((BEADS, {"count": 20, "mass": HEAVY}), "impurity is at 30 | there are 20"),
     # Sizes.
@@ -406,8 +394,6 @@ REFUSALS[section] = [
     ),
     # Fronts.
     ((f"{FRONT_SCENE}.law.alpha", 1), "law.alpha is 1 | above 1"),
-    ((f"{FRONT_SCENE}.law.gamma", 0), "law.gamma is 0 | above 0"),
-    ((f"{FRONT_SCENE}.displacement", 0), "displacement is 0 | above 0"),
     ((f"{FRONT_SCENE}.driven_bead", 2), "driven_bead is 2 | limit"),
     # Equations of a ring.
     ((f"{RING}.equations", {}), "weak: equations is empty"),
@@ -420,8 +406,6 @@ REFUSALS[section] = [
     ((f"{GLASS}.radius", 19.6), "radius is 19.6 | 2.5e-06 kg/m³ | 1 to 30000"),
     (("laws.materials.beads", {"steal": BALL}), "beads.steal: | did you mean steel?"),
     # Ranges and steps.
-    (("laws.damping_regimes.alpha", "3/2"), 'alpha is "3/2" | write 1.5'),
-    (("laws.damping_regimes.points", 4.2e2), "points is 420.0 | whole: write 420"),
     (("exact_fronts.survey.gamma.start", 2), "survey.gamma.start is 2 | stop 2"),
     ((f"{THETA}.profile.step", 0.7), "profile.step is 0.7"),
     # Laws, states, what is shown.
@@ -611,13 +595,11 @@ for evolve, family in (
 
 REFUSALS[lambda changes: Ring.read(scene_with(**changes), "mine")] = [
     ({"law__alpha": 1}, "law.alpha is 1 | above 1"),
-    ({"law__gamma": 0}, "law.gamma is 0 | above 0"),
     ({"start__floor": 1.5}, "start.floor is 1.5 | limit 1"),
     ({"start__half_width": 27.5}, "half_width is 27.5 | 27.7853"),
     ({"start": {"kind": "given", "rescaled_force": [0.0, -0.1, 0.0]}}, "-0.1"),
     ({"start": {"kind": "given", "rescaled_force": [0.0, 1.0, 0.5]}}, "ends with 0.5"),
     ({"equations__logarithmic__cells": 64}, "logarithmic.cells is 64 | 112"),
-    ({"equations__dispersive__cells": 64}, "dispersive.cells is 64 | 112"),
     ({"equations__upwind__points": 64}, "upwind.points is 64 | 112"),
     ({"equations__unlimited__tolerance": 1e-16}, "tolerance is 1e-16 | 1e-13"),
     ({"record__snapshots": [90.5]}, "record.snapshots (entry 1) is 90.5 | end_time 90"),
@@ -685,7 +667,6 @@ REFUSALS[campaign_of(CHAINS)] = [
     (gammas(0.5), "axes.gamma is 0.5 | a list"),
     (gammas([0.1, 0.3, 0.2]), "gamma has 0.2 after 0.3 | must increase"),
     (gammas([0.3, 0.3]), "gamma has 0.3 after 0.3"),
-    (gammas({"linspace": [1.0, 0.1, 5]}), "gamma has 0.775 after 1"),
     (
         gammas({"linspace": [0.1, 1.0, 2.5]}),
         "axes.gamma.linspace (entry 3) is 2.5 | a whole number",
@@ -704,7 +685,6 @@ REFUSALS[campaign_of(CHAINS)] = [
     ({"fixed": {"alpha": 1.5, "beads": 19}}, "beads is 19 | limit 20"),
     ({"fixed": {"alpha": 1.5, "beads": 30.5}}, "beads is 30.5 | a whole number"),
     ({"fixed": {"alpha": 1.5, "beads": 4 * 10**7}}, "beads is 40000000 | 19 GiB | 16 GiB"),
-    ({"fixed": {"alpha": 1.5, "beads": 10**9}}, "beads is 1000000000 | 477 GiB"),
     ({"fixed": {"alpha": 1.5}}, "beads is missing | number of beads N"),
     ({"axes": {"beads": {"linspace": [20, 41, 3]}}}, "beads is given under axes and"),
     ({"record": {"scalars": ["speed"]}}, "(entry 1) is 'speed' | front_speed"),
@@ -765,12 +745,10 @@ REFUSALS[ring_of] = [
     ({"damping": 0.02, "half_length": 12.5}, "half_width is 2, but beads are ε = 8.33 apart"),
     ({"damping": 0.1}, "half_length is 8.1, but beads are ε = 1.67 apart"),
     ({"damping": 1e300}, "gamma c is 1e+300, but rings are followed for 0.001 to 1000"),
-    ({"damping": 1e-9}, "gamma c is 1e-09"),
     ({"half_width": 9}, "half_width is 9, but half of the ring is"),
     ({"base": 1.0}, "base is 1"),
     ({"alpha": 1 + 1e-9}, "half_length is 8.1, which asks for p | above 1e+06"),
     ({"alpha": 9.0, "delta": 1e300}, "A scale of this ring lies beyond double precision"),
-    ({"alpha": 9.0, "delta": 1e-300}, "A scale of this ring lies beyond double precision"),
     ({"start": LOW}, "rescaled_force passes through"),
 ]
 
@@ -796,7 +774,6 @@ REFUSALS[keywords(gf.plot.space_time)] = [
 REFUSALS[lambda check: check()] = [
     (lambda: arguments.scalar("x", 2.5, above=1, most=2), "x is 2.5, | above 1 and at most 2"),
     (lambda: arguments.scalar("x", np.ones((3, 1))), "x is an array of shape (3, 1)"),
-    (lambda: arguments.scalar("x", 1.0, above=1.0), "x is 1.0, | above 1"),
     (lambda: arguments.scalar("x", 1.0, below=1.0), "x is 1.0, | below 1"),
     (lambda: arguments.count("n", 1.5), "n is 1.5, | whole number, at least 1"),
     (lambda: arguments.array("s", [[1.0, 3.0]], below=3.0), "s holds 3.0 | below 3"),

@@ -1,6 +1,5 @@
 """Files are whole, described, and refused with a sentence when they are not ours."""
 
-import inspect
 import json
 
 import netCDF4
@@ -8,9 +7,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from chains import driven_scene
-from rings import scene_with
 
-import granular_fronts as gf
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.output.datasets import (
     DatasetError,
@@ -138,35 +135,3 @@ def test_what_is_no_dataset_of_this_project_or_scene_is_refused(path, tmp_path):
     path.write_bytes(path.read_bytes()[:500])
     with pytest.raises(DatasetError, match=r"scene\.nc is not a readable netCDF file"):
         read_dataset(path)
-
-
-# `sel` reads the latter as its options, or `dataset.name` is another thing.
-TAKEN = {*dir(xr.Dataset()), *inspect.signature(xr.Dataset.sel).parameters}
-
-
-def test_no_variable_has_a_name_that_xarray_has_taken():
-    assert {"method", "tolerance", "variables"} < TAKEN
-    assert TAKEN.isdisjoint(long_names())
-
-
-SOLVED = {
-    "chain": lambda: gf.simulate_chain(driven_scene(end_time=20.0, record=EVERYTHING)),
-    "front": lambda: gf.solve_front(alpha=1.5, gamma=0.1),
-    "sweep": lambda: gf.sweep_fronts(alpha=1.5, gammas=[0.1, 0.2]),
-    "orbit": lambda: gf.heteroclinic(0.3),
-    "logarithmic Burgers": lambda: gf.evolve_log_burgers(scene_with(end_time=5.0)),
-    "logarithmic KdV-Burgers": lambda: gf.evolve_log_kdv_burgers(scene_with(end_time=5.0)),
-}
-
-
-@pytest.mark.parametrize("solved", SOLVED)
-def test_what_a_solver_returns_prints_well(solved):
-    """Each variable has a name and a unit, and no attribute is longer than a few lines."""
-    dataset = SOLVED[solved]()
-    for variable in dataset.variables.values():
-        assert variable.attrs["long_name"]
-        assert variable.attrs["units"] == "1"
-    for described in (dataset, *dataset.variables.values()):
-        assert all(len(str(value)) < 250 for value in described.attrs.values())
-    assert "config" not in dataset.attrs
-    assert TAKEN.isdisjoint(dataset.dims)

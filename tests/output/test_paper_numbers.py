@@ -8,15 +8,10 @@ from pathlib import Path
 import pytest
 import xarray as xr
 from chains import driven_scene
-from compare_periodic_chain import compare_periodic_chain
-from compute_heteroclinic import compute_heteroclinic
-from initiate_front import initiate_front
-from study import study
 from tabulate_statements import find_measure
 
 from granular_fronts.accuracy import Estimate
 from granular_fronts.errors import InputError
-from granular_fronts.output.departures import departures
 from granular_fronts.output.statements import (
     ANSWERS,
     COMPATIBLE,
@@ -36,7 +31,7 @@ from granular_fronts.output.statements import (
     scenes_of,
     verdict_on,
 )
-from granular_fronts.scenes.yaml_files import load_configuration, read_yaml
+from granular_fronts.scenes.yaml_files import read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config"
 LISTS = {name: read_yaml(CONFIG / f"{name}.yaml") for name in ("paper_numbers", "findings")}
@@ -242,26 +237,3 @@ def test_findings_print_nothing_the_paper_finds_nothing_and_all_stand_once():
     assert {entry["kind"] for entry in LISTS["paper_numbers"]} == {"number", "inequality", "words"}
     stated = [(entry["quantity"], entry.get("printed")) for entry in STATEMENTS]
     assert len(set(stated)) == len(stated)
-
-
-SMOKE = load_configuration(CONFIG / "default.yaml", CONFIG / "smoke.yaml")
-STEPS = {
-    "initiation_overdamped": initiate_front,
-    "front_profiles": compute_heteroclinic,
-    "hertz": compare_periodic_chain,
-}
-
-
-# One study for all, which one step computes.
-@pytest.mark.parametrize("name", [*STEPS, "materials"])
-def test_a_dataset_carries_its_scene_as_the_configuration_holds_it(name, tmp_path):
-    """What is filled in would look like other parameters, and nothing would be judged."""
-    reference = by_scene(SMOKE)[name]
-    dataset = tmp_path / f"{name}.nc"
-    if name in STEPS:
-        STEPS[name](reference, name, dataset)
-    else:
-        study("materials", "evaluate_materials", reference, dataset)
-    with xr.open_dataset(dataset) as dataset:
-        assert dataset.attrs["scene"] == name
-        assert departures(json.loads(dataset.attrs["config"]), reference) == []

@@ -13,10 +13,12 @@ import pytest
 import xarray as xr
 from chains import driven_scene
 from potentials import hertz
+from rings import scene_with
 
 import granular_fronts as gf
 from granular_fronts import arguments
 from granular_fronts.errors import InputError
+from granular_fronts.output.datasets import long_names
 from projects import ROOT
 
 HUGE = 10**400
@@ -46,6 +48,15 @@ def a_series(**attributes):
     return xr.DataArray(values, coordinates, ("t", "contact"), attrs=attributes)
 
 
+EVERYTHING = {
+    "snapshots": [1.0],
+    "probes": {"start": {"beads": [1, 2], "start": 0.0, "stop": 1.0, "step": 0.5}},
+    "grid": {"step": 0.5},
+    "arrival_level": 0.05,
+    "extremes": True,
+    "balances": True,
+}
+
 # A possible value of every parameter of every public function; its type says what is impossible.
 POSSIBLE = {
     "Potential": {
@@ -66,8 +77,8 @@ POSSIBLE = {
     "damping_from_restitution": {"e": 0.9, "impact_velocity": 0.5, "mass": 0.1, "stiffness": 1e9}
     | {"alpha": 1.5, "beta": 1.5},
     "evaluate_front": {"front": a_front(), "xi": np.array([0.5]), "name": "velocity"},
-    "evolve_log_burgers": {"scene": {}, "name": "given"},
-    "evolve_log_kdv_burgers": {"scene": {}, "name": "given"},
+    "evolve_log_burgers": {"scene": scene_with(end_time=5.0), "name": "given"},
+    "evolve_log_kdv_burgers": {"scene": scene_with(end_time=5.0), "name": "given"},
     "front_multipliers": {"front": a_front(), "beads_behind": 20, "beads_ahead": 5},
     "heteroclinic": {"mu": 1.0, "s": np.array([0.0, 1.0])},
     "jump_conditions": {
@@ -89,7 +100,7 @@ POSSIBLE = {
     },
     "pulses": {"series": a_series(error_estimate=1e-9), "prominence": 0.1},
     "restitution": {"gamma": 0.1, "alpha": 1.5, "beta": 1.5},
-    "simulate_chain": {"scene": driven_scene(0.1, 4, 1.0), "name": "given"},
+    "simulate_chain": {"scene": driven_scene(0.1, 4, 1.0, record=EVERYTHING), "name": "given"},
     "solve_front": LAW | {"method": "profile", "right_state": 0.0, "law": None, "states": None},
     "sphere_stiffness": {"radius": 0.01, "youngs_modulus": 2e11, "poisson_ratio": 0.3},
     "sweep_fronts": LAW
@@ -99,8 +110,9 @@ POSSIBLE = {
 del POSSIBLE["sweep_fronts"]["gamma"]
 
 # A name is what messages call something, whatever it is.
-SOLVE_SCENES = {"evolve_log_burgers", "evolve_log_kdv_burgers"}
-FREE = {(function, "name") for function in ("Potential", "simulate_chain", *SOLVE_SCENES)}
+SOLVERS = {"simulate_chain", "evolve_log_burgers", "evolve_log_kdv_burgers"}
+FREE = {(function, "name") for function in ("Potential", *SOLVERS)}
+SOLVERS |= {"solve_front", "sweep_fronts", "heteroclinic"}
 
 NEVER_A_NUMBER = ["1.5", b"1.5", 1.5j, True, {}, {"a": 1.0}, math.nan, math.inf, -math.inf, HUGE]
 SEVERAL = [[1.5], np.array([1.5, 2.0]), np.array([]), (1.5, "x")]
@@ -216,9 +228,28 @@ def test_impossible_arguments_are_refused_in_a_sentence(name, parameter):
         assert "\n" not in sentence, value
 
 
-@pytest.mark.parametrize("name", sorted(set(POSSIBLE) - SOLVE_SCENES))
-def test_possible_arguments_pass(name):
-    assert getattr(gf, name)(**POSSIBLE[name]) is not None
+# `sel` reads the latter as its options, or `dataset.name` is another thing.
+TAKEN = {*dir(xr.Dataset()), *inspect.signature(xr.Dataset.sel).parameters}
+
+
+@pytest.mark.parametrize("name", sorted(POSSIBLE))
+def test_possible_arguments_give_something_that_prints_well(name):
+    """Variables of a solver have names and units, and attributes of a few lines at most."""
+    found = getattr(gf, name)(**POSSIBLE[name])
+    assert found is not None
+    if name in SOLVERS:
+        for variable in found.variables.values():
+            assert variable.attrs["long_name"]
+            assert variable.attrs["units"] == "1"
+        for described in (found, *found.variables.values()):
+            assert all(len(str(value)) < 250 for value in described.attrs.values())
+        assert "config" not in found.attrs
+        assert TAKEN.isdisjoint(found.dims)
+
+
+def test_no_variable_has_a_name_that_xarray_has_taken():
+    assert {"method", "tolerance", "variables"} < TAKEN
+    assert TAKEN.isdisjoint(long_names())
 
 
 def test_every_kind_of_real_number_is_a_number():
