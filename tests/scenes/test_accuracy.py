@@ -11,31 +11,27 @@ from granular_fronts.accuracy import (
     certain_sign,
     largest_difference,
     rounded,
-    rounding_floor,
     variable_and_errors,
     with_refinement,
 )
 from granular_fronts.errors import NoFrontError
 
 
-def test_error_is_the_largest_difference_of_two_computations():
-    assert largest_difference([1.0, -2.0], [1.25, -2.5]) == 0.5
-
-
-@pytest.mark.parametrize("size", [1.0, 3.0e5, 2.0e-9])
-def test_last_digit_of_the_largest_stands_in_where_two_computations_agree(size):
-    error = largest_difference([-size, 0.0], [-size, 0.0])
-    assert size + error == np.nextafter(size, np.inf)
-    assert rounding_floor([-size, 0.0]) == error
-
-
-def test_zeros_and_no_values_at_all_have_no_error():
-    assert largest_difference([0.0], [0.0]) == largest_difference([], []) == 0.0
-
-
-def test_points_without_a_value_do_not_count():
-    assert largest_difference([1.0, math.nan], [1.5, 3.0]) == 0.5
-    assert math.isnan(largest_difference([math.nan], [math.nan]))
+@pytest.mark.parametrize(
+    ("values", "others", "error"),
+    [
+        ([1.0, -2.0], [1.25, -2.5], 0.5),
+        ([0.0], [0.0], 0.0),
+        ([], [], 0.0),
+        # What one of them lacks does not count.
+        ([1.0, math.nan], [1.5, 3.0], 0.5),
+        ([math.nan], [math.nan], math.nan),
+        # Where they agree, the last digit of the largest stands in.
+        *(([-size, 0.0], [-size, 0.0], np.spacing(size)) for size in (1.0, 3.0e5, 2.0e-9)),
+    ],
+)
+def test_error_is_the_largest_difference_of_two_computations(values, others, error):
+    assert largest_difference(values, others) == pytest.approx(error, rel=0.0, abs=0.0, nan_ok=True)
 
 
 def test_a_sign_is_certain_beyond_the_error_alone():
