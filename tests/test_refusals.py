@@ -206,7 +206,7 @@ REFUSALS[chain_of] = [
         "law.elastic | about 1e-200 | energies of about 1e-323 | 1e±140\n"
         "law.viscous | about 1e-200 | 1e±140",
     ),
-    ({"record": {"snapshots": [], "arrival_level": -0.1}}, "level is -0.1 | above 0"),
+    ({"record": {"snapshots": [], "arrival_level": 0}}, "level is 0 | above 0"),
     (
         {"law": gf.make_law(elastic=BARRIER), "boundary": {"kind": "piston", "velocity": 0.0}},
         "boundary.right is 0 | between 0.01 and 2\nstart.relative_displacement of a",
@@ -835,6 +835,11 @@ POSSIBLE = [
     (CHAIN, {"beads": 100_000, "record__grid__step": 500, f"{STEADY}step": 3.6e-5}),
     # Beads thrown off a free end cost nothing.
     (CHAIN, {"boundary": PISTON, "end_time": 1e12, "record__grid__step": 1e9}),
+    # Its weight compresses each contact of a softening chain.
+    (
+        chain_of,
+        {"law": {"alpha": 0.8, "beta": 1, "gamma": 0.2}, "gravity": 0.1} | held(WALL),
+    ),
     # What printed numbers measure.
     (section, ("laws.damping_regimes", {"alpha": 2, "betas": [1, 3], "decades": 5, "points": 9})),
     (section, ("scenes.heteroclinic.damping_sweep.mu", [1, 2])),

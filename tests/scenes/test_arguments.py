@@ -48,15 +48,6 @@ def a_series(**attributes):
     return xr.DataArray(values, coordinates, ("t", "contact"), attrs=attributes)
 
 
-EVERYTHING = {
-    "snapshots": [1.0],
-    "probes": {"start": {"beads": [1, 2], "start": 0.0, "stop": 1.0, "step": 0.5}},
-    "grid": {"step": 0.5},
-    "arrival_level": 0.05,
-    "extremes": True,
-    "balances": True,
-}
-
 # A possible value of every parameter of every public function; its type says what is impossible.
 POSSIBLE = {
     "Potential": {
@@ -100,7 +91,7 @@ POSSIBLE = {
     },
     "pulses": {"series": a_series(error_estimate=1e-9), "prominence": 0.1},
     "restitution": {"gamma": 0.1, "alpha": 1.5, "beta": 1.5},
-    "simulate_chain": {"scene": driven_scene(0.1, 4, 1.0, record=EVERYTHING), "name": "given"},
+    "simulate_chain": {"scene": driven_scene(0.1, 4, 1.0), "name": "given"},
     "solve_front": LAW | {"method": "profile", "right_state": 0.0, "law": None, "states": None},
     "sphere_stiffness": {"radius": 0.01, "youngs_modulus": 2e11, "poisson_ratio": 0.3},
     "sweep_fronts": LAW

@@ -155,6 +155,7 @@ def test_beyond_the_interval_of_a_law_there_is_no_front_and_a_constant_is_no_ene
     assert decades_of_energy(other, -2.0) == pytest.approx(decades_of_energy(one, -2.0))
 
 
+SINE = {"amplitude": -1.5, "angular_frequency": 1.0, "offset": 0.5}
 STRIKER = {"kind": "striker", "beads": 1, "velocity": 9.0}
 
 
@@ -167,6 +168,7 @@ STRIKER = {"kind": "striker", "beads": 1, "velocity": 9.0}
         ({"start": STRIKER, "boundary": {"kind": "wall", "left": 0.3}}, 9.0**0.8),
         ({"boundary": {"kind": "piston", "velocity": 2.0}}, 2.0**0.8),
         ({"boundary": {"kind": "force", "force": 2.0}}, 2.0 ** (1 / 1.5)),
+        ({"boundary": {"kind": "force", "force": {"harmonic": SINE}}}, 2.0 ** (1 / 1.5)),
         ({"gravity": -0.25}, (0.25 * 20) ** 0.4),
     ],
 )
