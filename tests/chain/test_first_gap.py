@@ -29,7 +29,7 @@ def first_gap(scene):
         event.direction = -1.0
         return event
 
-    options = {"rtol": 1.0e-12, "atol": 1.0e-14, "max_step": 0.05, "first_step": SOON}
+    options = {"rtol": 1.0e-12, "atol": 1.0e-14, "max_step": 0.1, "first_step": SOON}
     contacts = range(checked.contact_count)
     found = solutions(checked, events=[opens(n) for n in contacts], **options)
     u, soon = found[0].y[: len(contacts), :2].T

@@ -38,18 +38,23 @@ def solutions(scene, **options):
     held_left, held_right = (-law.elastic.first(-end) for end in (boundary.left, boundary.right))
 
     def slopes(t, state):
-        u, velocity = np.split(state, [contacts])
-        behind = held_left
+        strain, velocity = -state[:contacts], state[contacts:]
+        forces = np.full(count + 1, held_right)  # Behind bead 1, and ahead of all.
+        forces[0] = held_left
         if boundary.piston:
             velocity[0] = drive.value(t)
         elif drive:
-            behind = drive.value(t)
-        next_one = np.append(velocity[1:], velocity[0] if boundary.ring else 0.0)
-        rate = (velocity - next_one)[:contacts]
-        forces = -stiffness * law.elastic.first(-u) + viscosity * law.viscous.second(-u) * rate
-        ahead = np.append(forces, [held_right] * (count - contacts))
-        behind = np.append(ahead[-1] if boundary.ring else behind, ahead[:-1])
-        return np.concatenate([rate, (behind - ahead) / mass + gravity])
+            forces[0] = drive.value(t)
+        rate = velocity.copy()
+        rate[:-1] -= velocity[1:]
+        if boundary.ring:
+            rate[-1] -= velocity[0]
+        rate = rate[:contacts]
+        viscous = viscosity * law.viscous.second(strain) * rate
+        forces[1 : contacts + 1] = viscous - stiffness * law.elastic.first(strain)
+        if boundary.ring:
+            forces[0] = forces[-1]
+        return np.concatenate([rate, gravity - np.diff(forces) / mass])
 
     u, velocity = run.initial_state(scene, law, boundary, run.make_beads(scene))
     state, found = np.concatenate([u[:contacts], velocity]), []
