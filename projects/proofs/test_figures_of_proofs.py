@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from matplotlib.colors import to_rgba
+from pictures import curves
 
 from enclosed_front import enclosed_front
 from granular_fronts.output.style import ALARM_COLOUR, BLUE, LIGHT_BLUE
@@ -66,11 +67,6 @@ def shown(figure):
     """The panels of a figure, which matplotlib does not keep open."""
     plt.close(figure)
     return {axes.get_label(): axes for axes in figure.axes}
-
-
-def curves(axes):
-    """Lines and marks that show data."""
-    return [line for line in axes.get_lines() if line.get_transform() is axes.transData]
 
 
 def assert_curve(line, x, y):

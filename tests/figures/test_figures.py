@@ -4,12 +4,13 @@ What each figure shows is checked in `test_figures_of_a_run`.
 """
 
 import json
+from functools import cache
 from types import SimpleNamespace
 
 import matplotlib.pyplot as plt
 import pytest
 from chains import driven_scene
-from fig03 import fig03
+from matplotlib.figure import Figure
 
 import drawing
 from captions import read_texts
@@ -20,71 +21,80 @@ from granular_fronts.output.datasets import (
     read_dataset,
     write_dataset,
 )
+from granular_fronts.output.style import new_figure
 from projects import ROOT
 
-BEADS = 24
 RECORD = {
-    "snapshots": [20.0],
     "probes": {
         "steady": {"beads": [6, 9, 12], "start": 5.0, "stop": 30.0, "step": 0.5},
         "transient": {"beads": [1, 3], "start": 0.0, "stop": 10.0, "step": 0.5},
     },
     "grid": {"step": 2.0},
-    "extremes": True,
     "arrival_level": 0.05,
 }
 
 
+@cache
+def motion(gamma, end):
+    tolerance = {"relative": 1e-8, "absolute": 1e-10}
+    record = RECORD | {"snapshots": [end]}
+    scene = driven_scene(gamma, 24, end, tolerance=tolerance, record=record)
+    return simulate_chain(scene).assign_attrs(config=json.dumps(scene))
+
+
 @pytest.fixture(scope="module")
 def path(tmp_path_factory):
-    scene = driven_scene(0.06, BEADS, 80.0, record=RECORD)
     path = tmp_path_factory.mktemp("data") / "scene.nc"
-    write_dataset(simulate_chain(scene), path, scene_id="scene", config=scene)
+    data = motion(0.06, 80.0)
+    write_dataset(data, path, scene_id="scene", config=configuration_of(data))
     return path
 
 
-ENDINGS = {"pdf": "pdf", "png": "png", "caption": "rst"}
+def probes(data):
+    """A figure of one panel."""
+    figure, panels = new_figure(1.0, [["panel"]])
+    panels["panel"].plot(data["t_transient"], data["relative_displacement_transient"])
+    return figure
 
 
-def make_files(path, stem, caption, paper=None):
-    """Run the step of figure 3, with a caption of the test's."""
+def empty(data):
+    """A figure whose caption is all that matters."""
+    return Figure()
+
+
+def make_files(path, stem, caption, paper=None, draw=empty):
+    """Write the files of a figure with some caption, and return the caption that is filled."""
     texts = stem.with_suffix(".texts")
     texts.write_text(f"Title\n=====\n\n.. Words.\n\n{caption}", encoding="utf-8")
-    files = {name: stem.with_suffix(f".{ending}") for name, ending in ENDINGS.items()}
+    endings = {"pdf": "pdf", "png": "png", "caption": "rst"}
+    files = {name: stem.with_suffix(f".{ending}") for name, ending in endings.items()}
     shown = {"scene": [{}, paper]}
-    drawing.write_figure(fig03, texts, SimpleNamespace(**files), shown, data=path)
+    drawing.write_figure(draw, texts, SimpleNamespace(**files), shown, data=path)
+    return files["caption"].read_text(encoding="utf-8")
 
 
-def test_saved_files_are_reproducible_whatever_looks_a_user_likes(path, tmp_path):
-    (tmp_path / "one").mkdir()
-    (tmp_path / "two").mkdir()
+def test_files_name_their_data_and_are_reproducible_whatever_looks_a_user_likes(path, tmp_path):
+    scene, digest = configuration_of(read_dataset(path)), read_dataset(path).attrs["data_digest"]
     for name in ("one", "two"):
-        plt.rcParams.update({"text.usetex": True, "figure.facecolor": "red"})
-        make_files(path, tmp_path / name / "fig", "A caption.")
-    for ending in ENDINGS.values():
-        one, two = (tmp_path / name / f"fig.{ending}" for name in ("one", "two"))
-        assert one.read_bytes() == two.read_bytes()
-    assert len(list((tmp_path / "one").iterdir())) == 4
-
-
-def test_files_name_the_data_and_the_caption_is_filled_with_what_was_computed(path, tmp_path):
-    data = read_dataset(path)
-    scene = configuration_of(data)
-    make_files(path, tmp_path / "fig", "γ = {{ data.law.gamma }}.", scene)
-    assert (tmp_path / "fig.rst").read_text(encoding="utf-8") == "γ = 0.06.\n"
-    keyword = f"scene:{data.attrs['data_digest']}".encode()
+        plt.rcParams.update({"text.usetex": name == "one", "figure.facecolor": "red"})
+        caption = make_files(path, tmp_path / name, "γ = {{ data.law.gamma }}.", scene, probes)
+        assert caption == "γ = 0.06.\n"
     for ending in ("pdf", "png"):
-        assert keyword in (tmp_path / f"fig.{ending}").read_bytes()
+        written = (tmp_path / f"one.{ending}").read_bytes()
+        assert written == (tmp_path / f"two.{ending}").read_bytes()
+        assert f"scene:{digest}".encode() in written
+    assert len(list(tmp_path.iterdir())) == 2 * 4
 
 
 def test_caption_says_where_the_scene_is_not_the_papers_and_holds_no_markup_of_data(path, tmp_path):
     scene = configuration_of(read_dataset(path))
     paper = scene | {"law": scene["law"] | {"gamma": 0.21}}
-    make_files(path, tmp_path / "fig", "A caption.", paper)
-    caption = (tmp_path / "fig.rst").read_text(encoding="utf-8")
+    caption = make_files(path, tmp_path / "fig", "A caption.", paper)
     assert "law.gamma is 0.06 instead of 0.21." in caption
-    make_files(path, tmp_path / "fig", "{{ '\n\n.. raw:: html\n\n   *x_*' }}{{ ', a:b' }}")
-    first, *others = (tmp_path / "fig.rst").read_text(encoding="utf-8").splitlines()
+    caption = make_files(
+        path, tmp_path / "fig", "{{ '\n\n.. raw:: html\n\n   *x_*' }}{{ ', a:b' }}"
+    )
+    first, *others = caption.splitlines()
     assert first == r".. raw\:\: html \*x\_\*, a\:b"
     assert "Scene scene is not one of the paper's." in " ".join(others)
     with pytest.raises(DatasetError, match="strength"):
@@ -100,10 +110,8 @@ def test_caption_says_where_the_scene_is_not_the_papers_and_holds_no_markup_of_d
     ],
 )
 def test_captions_of_a_chain_say_what_it_does(gamma, end, said, unsaid):
-    scene = driven_scene(gamma, BEADS, end, record=RECORD | {"snapshots": [end]})
-    motion = simulate_chain(scene).assign_attrs(config=json.dumps(scene))
     captions = " ".join(
-        drawing._fill(read_texts(texts).caption, {"data": drawing._described(motion)})
+        drawing._fill(read_texts(texts).caption, {"data": drawing._described(motion(gamma, end))})
         for texts in sorted((ROOT / "workflow/captions").glob("fig0[123]_*.rst"))
     )
     assert not [words for words in said.split(" | ") if words not in captions]
@@ -115,5 +123,5 @@ def test_data_of_something_else_are_named(path, tmp_path):
     data = read_dataset(path).drop_vars("relative_displacement_transient")
     write_dataset(data, other, scene_id="other", config=configuration_of(data))
     with pytest.raises(DatasetError, match=r"other\.nc does not hold .* '\w+'\): let"):
-        make_files(other, tmp_path / "fig", "A caption.")
+        make_files(other, tmp_path / "fig", "A caption.", draw=probes)
     assert not (tmp_path / "fig.png").exists()

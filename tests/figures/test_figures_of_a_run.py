@@ -2,14 +2,16 @@
 
 import importlib
 import re
+from fnmatch import fnmatch
 from functools import cache
+from itertools import cycle
 from string import ascii_lowercase
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from matplotlib.collections import QuadMesh
 from matplotlib.colors import to_rgba
+from pictures import curves, plane
 
 from captions import read_texts
 from granular_fronts.output.datasets import read_dataset
@@ -20,8 +22,6 @@ U, V = "relative_displacement", "velocity"
 RINGS = {"weak": "periodic/weak", "hertz": "periodic/hertz"}
 FRONTS = {"underdamped": "fronts/underdamped", "overdamped": "fronts/overdamped"}
 MODELS = ("logarithmic", "unlimited", "heteroclinic")
-WAVES = ["essential_multiplier_imaginary over essential_multiplier_real"] * 2
-WINDOW = ["multiplier_imaginary over multiplier_real"]
 
 FIGURES = {
     "fig01": {"data": "chain/initiation_underdamped"},
@@ -75,10 +75,10 @@ SHOWN = {
         *(f"critical_damping_{name} over alpha" for name in ("long_wave", "overshoot")),
         *["second_peak_leads over alpha", "first_peak_stays_below over alpha"],
     ],
-    "multipliers underdamped": WAVES + WINDOW,
-    "multipliers overdamped": WAVES + WINDOW,
-    "multipliers underdamped near 1": WAVES + 3 * WINDOW,
-    "multipliers overdamped near 1": WAVES + 3 * WINDOW,
+    "multipliers *damped": [
+        *["essential_multiplier_imaginary over essential_multiplier_real"] * 2,
+        "multiplier_imaginary over multiplier_real",
+    ],
     "damping_regimes gamma": ["gamma over velocity_ratio"],
     "damping_regimes restitution": ["restitution over velocity_ratio"],
     "numerical_damping profile": [f"{U}_{run} over bead" for run in ("conservative", "damped")]
@@ -107,34 +107,24 @@ def picture(figure):
     """The data of a figure in a list, and its panels by their names; drawn once for all tests."""
 
     def read(name):
-        return read_dataset(finished_run() / f"data/{name}.nc")
+        every.append(read_dataset(finished_run() / f"data/{name}.nc"))
+        return every[-1]
 
+    every = []
     given = {
         argument: [read(one) for one in name] if isinstance(name, list) else read(name)
         for argument, name in FIGURES[figure].items()
     }
-    return draw(figure, given)
-
-
-def draw(figure, given):
-    """As `picture`, of given datasets."""
     drawn = getattr(importlib.import_module(figure), figure)(**given)
     plt.close(drawn)
-    every = [one for each in given.values() for one in (each if isinstance(each, list) else [each])]
     panels = {axes.get_label(): axes for axes in drawn.axes if axes.get_label() != "<colorbar>"}
     return every, panels
 
 
-def curves(axes):
-    """Lines of three points or more that show data, in the order in which they were drawn."""
-    lines = [line for line in axes.get_lines() if line.get_transform() is axes.transData]
-    return [line for line in lines if np.size(line.get_xdata()) > 2]
-
-
-def plane(axes):
-    """The coloured plane of a panel."""
-    [mesh] = [each for each in axes.collections if isinstance(each, QuadMesh)]
-    return mesh
+def data_curves(axes):
+    """Curves of three points or more, but for the unit circle."""
+    lines = [line for line in curves(axes) if np.size(line.get_xdata()) > 2]
+    return [line for line in lines if not np.allclose(np.hypot(*line.get_data()), 1.0)]
 
 
 def holds(data, name, values):
@@ -146,41 +136,29 @@ def holds(data, name, values):
     )
 
 
-def panels_of(figure, pattern, panels):
-    """The panels that a name stands for: one, all that begin alike (*), or all of the figure."""
-    name = pattern.removeprefix(figure).strip()
-    if name.endswith("*"):
-        return [axes for label, axes in panels.items() if label.startswith(name[:-1])]
-    return [panels[name]] if name else [*panels.values()]
-
-
 @pytest.mark.parametrize("pattern", SHOWN)
 def test_panels_show_the_variables_that_their_names_say(pattern):
-    figure, shown = pattern.split()[0], SHOWN[pattern]
+    figure, _, name = pattern.partition(" ")
     data, panels = picture(figure)
-    found = panels_of(figure, pattern, panels)
+    found = [axes for label, axes in panels.items() if fnmatch(label, name or "*")]
     assert found
     for axes in found:
-        if " over " not in shown[0]:
-            assert holds(data, shown[0], plane(axes).get_array())
+        if " over " not in SHOWN[pattern][0]:
+            assert holds(data, SHOWN[pattern][0], plane(axes).get_array())
             continue
-        lines = [line for line in curves(axes) if not is_a_circle(line)]
-        assert len(lines) % len(shown) == 0 or pattern == "fig08 front *"
-        for line, words in zip(lines, shown * len(lines), strict=False):
+        lines = data_curves(axes)
+        for line, words in zip(lines, cycle(SHOWN[pattern])):
             ordinate, abscissa = words.split(" over ")
             assert holds(data, ordinate, line.get_ydata()), words
             assert holds(data, abscissa, line.get_xdata()), words
-
-
-def is_a_circle(line):
-    """Whether a curve is the unit circle or a diagonal, which is no data."""
-    x, y = line.get_data()
-    return np.allclose(np.hypot(x, y), 1.0) and np.size(x) > 100
+        drawn = {(line.get_linestyle(), np.ma.getdata(line.get_data()).tobytes()) for line in lines}
+        assert len(drawn) == len(lines)
+        assert len(lines) % len(SHOWN[pattern]) == 0
 
 
 def test_a_curve_of_another_variable_would_be_noticed():
     data, panels = picture("continuum_errors")
-    line = curves(next(iter(panels.values())))[0]
+    line = data_curves(next(iter(panels.values())))[0]
     assert holds(data, "distance_logarithmic", line.get_ydata())
     assert not holds(data, "distance_unlimited", line.get_ydata())
     assert not holds(data, "distance_logarithmic", 1.01 * line.get_ydata())
@@ -193,22 +171,18 @@ def test_caption_names_no_letter_that_the_figure_lacks(figure):
     letters = [f"({letter})" for letter in ascii_lowercase[: len(panels)]]
     letters = letters if len(letters) > 1 else [""]
     assert [axes.get_title("left") for axes in panels.values()] == letters
-    [texts] = [
-        file
-        for file in (ROOT / "workflow/captions").glob("*.rst")
-        if re.match(rf"{figure}(_|$)", file.stem)
-    ]
+    every = (ROOT / "workflow/captions").glob(f"{figure}*.rst")
+    [texts] = [file for file in every if re.match(rf"{figure}(_|$)", file.stem)]
     assert set(re.findall(r"\([a-p]\)", read_texts(texts).caption)) <= set(letters)
 
 
 def test_rest_is_white_and_gaps_are_red_on_one_scale():
-    scales = []
-    for figure in ("fig02", "fig03"):
-        mesh = plane(picture(figure)[1]["displacement"])
+    meshes = [plane(picture(figure)[1]["displacement"]) for figure in ("fig02", "fig03")]
+    for mesh in meshes:
         assert np.allclose(mesh.cmap(mesh.norm(0.0)), 1.0, atol=0.02)
-        assert mesh.cmap(mesh.norm(-50.0)) == to_rgba(ALARM_COLOUR)
-        scales.append((mesh.get_clim(), mesh.cmap(mesh.norm(0.05))))
-    assert scales[0] == scales[1]
+        for gap in (-50.0, mesh.norm.vmin):
+            assert mesh.cmap(mesh.norm(gap)) == to_rgba(ALARM_COLOUR)
+    assert meshes[0].get_clim() == meshes[1].get_clim()
 
 
 def test_gaps_wider_than_the_panel_of_figure_6_are_marked():
@@ -224,15 +198,17 @@ def test_gaps_wider_than_the_panel_of_figure_6_are_marked():
 def test_errors_of_continuum_fronts_are_distances_to_the_exact_one():
     scenes, panels = picture("fronts_compared")
     for row, data in enumerate(scenes):
-        for line, model in zip(curves(panels[f"error {row}"]), MODELS, strict=True):
+        for line, model in zip(data_curves(panels[f"error {row}"]), MODELS, strict=True):
             np.testing.assert_array_equal(line.get_ydata(), data[f"{U}_{model}"] - data[U])
 
 
 def test_the_phase_portrait_holds_its_orbit():
     [data], panels = picture("fig08")
-    *trajectories, orbit = curves(panels["portrait"])[: data.sizes["trajectory"] + 1]
-    for line in trajectories:
-        assert holds([data], "slope_portrait", line.get_ydata())
+    *trajectories, orbit = data_curves(panels["portrait"])[: data.sizes["trajectory"] + 1]
+    for number, line in zip(data["trajectory"], trajectories, strict=True):
+        one = data.sel(trajectory=number)
+        np.testing.assert_array_equal(line.get_xdata(), one["rescaled_force_portrait"])
+        np.testing.assert_array_equal(line.get_ydata(), one["slope_portrait"])
     assert holds([data.sel(mu=data.attrs["portrait_mu"])], "slope", orbit.get_ydata())
 
 
@@ -242,17 +218,17 @@ def test_multipliers_that_rounding_moves_are_left_out():
         lines = curves(panels[f"{scene} near 1"])
         windows = [line for line in lines if "behind" in str(line.get_label())]
         for line, behind in zip(windows, data["beads_behind"].values, strict=True):
-            rounding = data["multiplier_rounding"].sel(scene=scene, beads_behind=behind).values
-            absent = np.isnan(data["multiplier_real"].sel(scene=scene, beads_behind=behind).values)
-            hidden = (rounding >= 1e-2) | absent
-            np.testing.assert_array_equal(np.isnan(line.get_xdata()), hidden)
+            found = data.sel(scene=scene, beads_behind=behind)
+            exact = found.where(found["multiplier_rounding"] < 1e-2)
+            np.testing.assert_array_equal(line.get_xdata(), exact["multiplier_real"])
+            np.testing.assert_array_equal(line.get_ydata(), exact["multiplier_imaginary"])
 
 
 def test_jump_conditions_are_distances_over_the_sum_of_both_errors():
     [data], panels = picture("jump_conditions")
     names = ["speed_exact", "speed_travelling", "power_exact"]
     names += ["speed_driven", "velocity_jump_driven", "power_driven"]
-    for ratio, name in zip(curves(panels["distances"]), names, strict=True):
+    for ratio, name in zip(data_curves(panels["distances"]), names, strict=True):
         theory = name.rpartition("_")[0] + "_expected"
         stated = data[f"{name}_error"] + data[f"{theory}_error"]
         np.testing.assert_array_equal(ratio.get_xdata(), (data[name] - data[theory]) / stated)
@@ -260,7 +236,7 @@ def test_jump_conditions_are_distances_over_the_sum_of_both_errors():
 
 def test_damping_is_dashed_where_fronts_oscillate():
     [data], panels = picture("damping_regimes")
-    drawn = iter(curves(panels["gamma"]))
+    drawn = iter(data_curves(panels["gamma"]))
     for dashed, full, beta in zip(drawn, drawn, data["beta"], strict=True):
         law = data.sel(beta=beta)
         oscillating = (law["gamma"] < law["critical_gamma"]).values

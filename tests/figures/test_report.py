@@ -2,7 +2,7 @@
 
 import re
 from html import unescape
-from pathlib import Path
+from itertools import product
 
 import pandas as pd
 import pytest
@@ -13,64 +13,52 @@ from write_report import write_report
 from granular_fronts.output.tables import write_table
 from projects import ROOT
 
-PNG = b"\x89PNG\r\n\x1a\n"
 VERDICTS = ["holds"] * 8 + ["reproduced", "not judged", "does not hold", "reproduced"]
-FIGURES = ("figures/fig01_front", "figures/own_front")
-TABLES = ("tables/paper_numbers", "tables/widths")
-
-
-def make_figure(results, stem):
-    """A figure, as far as the report reads it."""
-    (results / "figures").mkdir(exist_ok=True)
-    for ending, content in {"pdf": b"%PDF", "png": PNG, "rst": b"**Figure.** A *caption*."}.items():
-        (results / f"{stem}.{ending}").write_bytes(content)
-
-
-def make_table(results, stem):
-    """A table; that of the paper holds statements."""
-    table = pd.DataFrame({"problem": ["one"], "error_estimate": [1.234567e-12]})
-    if stem == "tables/paper_numbers":
-        rows = len(VERDICTS)
-        table = pd.DataFrame(
-            {
-                "quantity": [f"number {k}" for k in range(rows)],
-                "paper_place": "section 1",
-                "printed": "0.5",
-                "computed": [0.25 + k for k in range(rows)],
-                "computed_error": 1.234567e-12,
-                "verdict": VERDICTS,
-                "criterion": "0.5 within 0.1",
-                "remark": "",
-                "expected": "holds",
-            }
-        )
-    write_table(table, table, results / f"{stem}.csv", results / f"{stem}.md")
+STATEMENTS = pd.DataFrame(
+    {
+        "quantity": [f"number {k}" for k in range(len(VERDICTS))],
+        "paper_place": "section 1",
+        "printed": "0.5",
+        "computed": [0.25 + k for k in range(len(VERDICTS))],
+        "computed_error": 1.234567e-12,
+        "verdict": VERDICTS,
+        "criterion": "0.5 within 0.1",
+        "remark": "",
+        "expected": "holds",
+    }
+)
+TABLES = {
+    "paper_numbers": STATEMENTS,
+    "widths": pd.DataFrame({"problem": ["one"], "error_estimate": [1.234567e-12]}),
+}
+FIGURES = ("fig01_front", "own_front")
+FILES = {"pdf": b"%PDF", "png": b"\x89PNG\r\n\x1a\n", "rst": b"**Figure.** A *caption*."}
 
 
 @pytest.fixture
 def results(tmp_path):
-    """A results folder with two figures and two tables."""
-    (tmp_path / "tables").mkdir()
-    for figure, table in zip(FIGURES, TABLES, strict=True):
-        make_figure(tmp_path, figure)
-        make_table(tmp_path, table)
+    """A results folder with two figures and two tables, as far as the report reads them."""
+    for folder in ("tables", "figures", "texts"):
+        (tmp_path / folder).mkdir()
+    for figure, (ending, content) in product(FIGURES, FILES.items()):
+        (tmp_path / f"figures/{figure}.{ending}").write_bytes(content)
+    for name, table in TABLES.items():
+        write_table(table, table, *(tmp_path / f"tables/{name}.{end}" for end in ("csv", "md")))
     for name, seconds in (("job", 1.0), ("other", 2.5)):
         (tmp_path / f"{name}.tsv").write_text(f"s\tmax_rss\n{seconds}\t10\n")
     (tmp_path / "verdict.txt").write_text("All is well.")
     return tmp_path
 
 
-def write(results, figures=FIGURES, title="Title"):
+def write(results, title="Title"):
     """Write the report and return its text."""
-    texts = {Path(stem).name: f"Seen in {Path(stem).name}." for stem in figures}
-    texts |= {f"table_{Path(stem).name}": "It means much." for stem in TABLES}
-    (results / "texts").mkdir(exist_ok=True)
-    for name, comment in texts.items():
-        text = f"{title}\n=====\n\n.. {comment}\n\nWhat it holds."
-        (results / f"texts/{name}.rst").write_text(text, encoding="utf-8")
+    texts = [results / f"texts/{name}.rst" for name in (*FIGURES, *map("table_{}".format, TABLES))]
+    for file in texts:
+        text = f"{title}\n=====\n\n.. Seen in {file.stem}.\n\nWhat it holds."
+        file.write_text(text, encoding="utf-8")
     write_report(
         template=ROOT / "workflow/page.html.j2",
-        texts=[f"{results}/texts/{name}.rst" for name in texts],
+        texts=texts,
         results=results,
         benchmarks=[results / "job.tsv", results / "other.tsv"],
         verdict=results / "verdict.txt",
@@ -127,7 +115,7 @@ def test_score_counts_the_verdicts_of_its_table_and_shows_what_does_not_hold(res
 @pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium to show the report")
 def test_rows_unfold_and_nothing_is_wider_than_the_window(results, tmp_path):
     for stem in FIGURES:
-        Image.new("RGB", (1380, 1100), "grey").save(results / f"{stem}.png")
+        Image.new("RGB", (1380, 1100), "grey").save(results / f"figures/{stem}.png")
     write(results)
     report = (results / "report.html").as_uri()
     with browser(tmp_path / "profile") as page:
