@@ -74,7 +74,11 @@ class Settings(Part):
     def problems(self) -> Iterator[str]:
         """Dampings are known, a table holds the problem's own, and motions end at a state."""
         if 1.0 not in self.factors or [*self.factors] != sorted({*self.factors}):
-            yield "factors must increase, and hold 1, the damping of the problem itself."
+            factors = ", ".join(map(say, self.factors))
+            yield (
+                f"factors are {factors}, but must increase and hold 1, the damping of the problem "
+                "itself: sort them and add 1."
+            )
         for name, motion in self.motions.items():
             yield from self._motion_problems(f"motions.{name}", name, motion)
 
