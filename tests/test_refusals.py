@@ -28,6 +28,8 @@ from granular_fronts.continuum.log_kdv_burgers.heteroclinic import turning_point
 from granular_fronts.errors import InputError
 from granular_fronts.model import scaling
 from granular_fronts.model.potentials import make_potential
+from granular_fronts.referee.problems import load_problems
+from granular_fronts.referee.settings import read_settings
 from granular_fronts.reference_methods import half_step
 from granular_fronts.scenes import memory
 from granular_fronts.scenes.chain import Chain
@@ -750,6 +752,30 @@ REFUSALS[ring_of] = [
     ({"alpha": 1 + 1e-9}, "half_length is 8.1, which asks for p | above 1e+06"),
     ({"alpha": 9.0, "delta": 1e300}, "A scale of this ring lies beyond double precision"),
     ({"start": LOW}, "rescaled_force passes through"),
+]
+
+
+# Problems of the referee.
+
+REFEREE = read_settings().plain()
+
+
+def motion(name="front", **changes):
+    return {"motions": {name: REFEREE["motions"]["front"] | changes}}
+
+
+REFUSALS[lambda changes: load_problems(REFEREE | changes)] = [
+    (motion("wave"), 'motions.wave is "wave" | choose plate'),
+    (motion("solitary_wave", beads=11), "motions.solitary_wave.beads is 11 | 12 or more"),
+    (motion(dampings=["stee"]), "motions.front.dampings names 'stee' | choose from"),
+    (motion(beads=10**9), "motions.front.beads is 1000000000 | limit 10000"),
+    (motion(end_time=100.2), "end_time is 100.2, no multiple of interval 0.5"),
+    (motion("drop"), "motions.drop.beads is 60 | one bead hits a plate"),
+    (motion(beads=1), "motions.front.beads is 1, but one bead hits a plate"),
+    (motion("collision", beads=3), "motions.collision.beads is 3 | two beads"),
+    ({"factors": [0.9, 1.1, 1.2]}, "factors are 0.9, 1.1, 1.2 | must increase and hold 1"),
+    ({"laws": {"other": 1.1}}, "LAMMPS has no law with alpha = 1.5, beta = 1.1"),
+    ({"dampings": dict.fromkeys(REFEREE["dampings"], 1.3)}, "beta = 1.25, gamma = 1.3"),
 ]
 
 

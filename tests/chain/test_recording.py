@@ -92,6 +92,12 @@ def test_of_two_contacts_that_open_within_one_step_the_first_one_is_named(relati
     assert float(data["first_gap_time"]) == pytest.approx(0.1797965101523, rel=10.0 * relative)
 
 
+def test_of_two_contacts_that_open_at_once_it_is_uncertain_which_is_the_first():
+    data = extremes_of(TODA, [0.2, 0.2], [-1.0, 0.0, 1.0], 1.0)
+    assert data["first_gap_bead"].attrs["error_estimate"] == 1.0
+    assert data["first_gap_time"].attrs["error_estimate"] < 1e-10
+
+
 @pytest.mark.parametrize(("sign", "name"), [(1.0, "largest"), (-1.0, "smallest")])
 def test_extremes_count_from_the_start_on_and_of_equal_ones_the_first(sign, name):
     law = {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}

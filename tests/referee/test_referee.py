@@ -488,31 +488,3 @@ def test_impossible_arguments_are_named(folder, problem, tmp_path):
     ):
         with pytest.raises(SystemExit, match=sentence):
             main(words)
-
-
-CHAIN = SETTINGS["motions"]["front"]
-
-
-def front(**changes):
-    return {"motions": {"front": CHAIN | changes}}
-
-
-@pytest.mark.parametrize(
-    ("change", "sentence"),
-    [
-        ({"motions": {"wave": CHAIN}}, 'motions.wave is "wave", which is unknown: choose plate'),
-        ({"motions": {"solitary_wave": CHAIN | {"beads": 11}}}, "motions.solitary_wave.beads is"),
-        (front(dampings=["stee"]), "motions.front.dampings names 'stee'"),
-        (front(beads=10**9), "motions.front.beads is 1000000000, above its limit"),
-        (front(end_time=100.2), "motions.front.end_time is 100.2, no multiple of interval 0.5"),
-        ({"motions": {"drop": CHAIN}}, "motions.drop.beads is 60, but one bead hits a plate"),
-        (front(beads=1), "motions.front.beads is 1, but one bead hits a plate"),
-        ({"motions": {"collision": CHAIN | {"beads": 3}}}, "motions.collision.beads is 3, but two"),
-        ({"factors": [0.9, 1.1, 1.2]}, "factors must increase, and hold 1"),
-        ({"laws": {"other": 1.1}}, "LAMMPS has no law with alpha = 1.5"),
-        ({"dampings": dict.fromkeys(SETTINGS["dampings"], 1.3)}, "beta = 1.25, gamma = 1.3: take"),
-    ],
-)
-def test_impossible_settings_are_named(change, sentence):
-    with pytest.raises(InputError, match=re.escape(sentence)):
-        load_problems(SETTINGS | change)
