@@ -861,6 +861,7 @@ POSSIBLE = [
     (CHAIN, {"beads": 100_000, "record__grid__step": 500, f"{STEADY}step": 3.6e-5}),
     # Beads thrown off a free end cost nothing.
     (CHAIN, {"boundary": PISTON, "end_time": 1e12, "record__grid__step": 1e9}),
+    (chain_of, masses(taper={"difference": -0.24})),
     # Its weight compresses each contact of a softening chain.
     (
         chain_of,

@@ -92,23 +92,15 @@ def test_any_change_of_a_campaign_is_accepted_or_refused_in_sentences(path, valu
     assert_sentences(sentences(check_campaign, replaced(CAMPAIGN, path, value), "mine"))
 
 
-def with_numbers(value, number):
-    """A value with another number in the place of each, and how many there are."""
-    if isinstance(value, Mapping):
-        pairs = {key: with_numbers(item, number) for key, item in value.items()}
-        return {key: new for key, (new, _) in pairs.items()}, sum(n for _, n in pairs.values())
-    if isinstance(value, list):
-        entries = [with_numbers(item, number) for item in value]
-        return [new for new, _ in entries], sum(n for _, n in entries)
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    return (number, 1) if is_number else (value, 0)
+NUMBER = re.compile(r"(?<=[ \[])-?\d[-+.e\d]*(?=[,\]}])")
+"""A number in the JSON text of a configuration."""
 
 
-@pytest.mark.parametrize("number", [math.nan, math.inf, -math.inf])
+@pytest.mark.parametrize("number", [math.nan, math.inf])
 def test_number_that_is_not_finite_is_refused_everywhere(number):
-    changed, count = with_numbers(DEFAULT, number)
-    found = [s for s in sentences(check_configuration, changed) if "must be finite" in s]
-    assert len(found) == count > 300
+    changed, count = NUMBER.subn(json.dumps(number), json.dumps(DEFAULT))
+    found = sentences(check_configuration, json.loads(changed))
+    assert len([one for one in found if "must be finite" in one]) == count > 300
 
 
 @st.composite

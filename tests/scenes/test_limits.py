@@ -33,7 +33,7 @@ def test_large_linear_terms_keep_newtons_iteration_from_settling(size, found):
     assert ("Newton's iteration does not settle" in front.attrs["reason"]) == (not found)
 
 
-@pytest.mark.parametrize(("beta", "gamma"), [(1.0, 50.0), (1.5, 50.0), (1.5, 200.0)])
+@pytest.mark.parametrize(("beta", "gamma"), [(1.0, 50.0), (1.5, 200.0)])
 def test_strong_damping_costs_the_steps_that_stability_asks_for(beta, gamma):
     """About 4G′(δ)/6 in a unit of time."""
     scene = driven_scene(gamma, 420, 700.0, beta=beta)
