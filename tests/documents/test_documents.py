@@ -26,18 +26,13 @@ from granular_fronts.campaign.definition import check_campaign
 from granular_fronts.output.datasets import configuration_of, read_dataset
 from projects import ROOT
 
-START, COMMANDS, PHYSICS, PROOFS, PRACTITIONERS, YOUR_PROJECT, EQUATIONS = (
-    ROOT / "docs" / f"{name}.md"
-    for name in (
-        *("start", "commands", "what_is_a_front", "proofs", "practitioners", "your_project"),
-        "equations",
-    )
-)
+DOCS = ROOT / "docs"
+COMMANDS, PROOFS = DOCS / "commands.md", DOCS / "proofs.md"
 PAGES = load_script("measured").pages()
 DOCUMENTS = [*ROOT.glob("*.md"), *ROOT.glob("projects/*/README.md"), *PAGES[1:]]
 # Those of the pages on extensions and projects are run on a copy of the project, those of proofs as
 # they are, those for practitioners in the folder of the answers (test_practitioners.py).
-ELSEWHERE = (EXTENDING, PROOFS, PRACTITIONERS, YOUR_PROJECT)
+ELSEWHERE = (EXTENDING, PROOFS, DOCS / "practitioners.md", DOCS / "your_project.md")
 SHOWN = {line for page in DOCUMENTS if page not in ELSEWHERE for line in commands(page)}
 NAMED = {
     line for page in DOCUMENTS if page.name != "CHANGELOG.md" for line in commands_in_lines(page)
@@ -68,10 +63,9 @@ def test_make_knows_its_targets(words_of):
 def test_workflow_can_plan_its_targets(words_of):
     # To lock is Snakemake's own business.
     shown = [words for words in words_of("snakemake", SHOWN | NAMED) if "--unlock" not in words]
-    targets = [
-        word for options, *rest in shown if options == "-c2" and len(rest) == 1 for word in rest
-    ]
-    for words in [["-c2", *targets], *(words for words in shown if len(words) != 2)]:
+    short = [rest for options, *rest in shown if options == "-c2" and len(rest) < 2]
+    targets = [target for rest in short for target in rest or ["all"]]
+    for words in [["-c2", *targets], *(words for words in shown if len(words) > 2)]:
         outcome = run([sys.executable, "-m", "snakemake", "--dry-run", "--nolock", *words])
         assert outcome.returncode == 0, outcome.stderr
 
@@ -83,11 +77,11 @@ def test_modules_run_as_shown(words_of, monkeypatch):
         assert run_module(monkeypatch, *words) is None
 
 
-@pytest.mark.parametrize("page", [START, COMMANDS, PHYSICS], ids=lambda page: page.stem)
-def test_pages_print_what_they_show(page, capsys, monkeypatch, tmp_path):
+@pytest.mark.parametrize("name", ["start", "commands", "what_is_a_front"])
+def test_pages_print_what_they_show(name, capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     names, printed, compared = {}, "", 0
-    for language, text in all_blocks(page):
+    for language, text in all_blocks(DOCS / f"{name}.md"):
         if language == "python":
             exec(text, names)
             printed = capsys.readouterr().out
@@ -112,7 +106,7 @@ def test_example_that_reads_a_finished_run_is_executed(monkeypatch):
     if not (ROOT / "results" / "report.html").exists():
         pytest.skip("the workflow has not run")
     monkeypatch.chdir(ROOT)
-    [code] = blocks(ROOT / "docs" / "tutorials" / "front_initiation.md", "py")
+    [code] = blocks(DOCS / "tutorials" / "front_initiation.md", "py")
     exec(code, {})
 
 
@@ -153,7 +147,7 @@ FIGURES = {file.stem for file in ROOT.glob("workflow/captions/*.rst") if file.st
 
 
 def test_gallery_shows_every_figure_of_a_plain_call():
-    page = (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")
+    page = (DOCS / "gallery.md").read_text(encoding="utf-8")
     assert [name for name in FIGURES if f"figures/{name}.png" not in page] == []
 
 
@@ -162,7 +156,7 @@ def test_small_pictures_show_the_default_configuration(default):
     parts = [*default["scenes"].values(), default["exact_fronts"], default["laws"]]
     parts.append({"log_burgers_fronts": {"exponents": default["front_exponents"]}})
     known = {f"{name}:{digest(one)}" for part in parts for name, one in part.items()}
-    pictures = sorted((ROOT / "docs" / "figures").glob("*.png"))
+    pictures = sorted((DOCS / "figures").glob("*.png"))
     assert {file.stem for file in pictures} == FIGURES
     for file in pictures:
         with Image.open(file) as picture:
@@ -175,7 +169,7 @@ def test_shown_campaigns_are_possible():
 
 
 def test_laboratory_scene_is_the_same_in_yaml_and_in_python():
-    page = ROOT / "docs" / "tutorials" / "laboratory.md"
+    page = DOCS / "tutorials" / "laboratory.md"
     [text], names = blocks(page, "yaml"), {}
     exec(blocks(page, "python")[0].partition("motion =")[0], names)
     assert yaml.safe_load(text)["scenes"]["chain"]["steel_ptfe"] == names["scene"]
@@ -195,13 +189,13 @@ def test_configuration_page_names_every_key(default):
 
 
 def test_equations_lead_to_functions_in_files_that_name_them():
-    page = EQUATIONS.read_text(encoding="utf-8")
+    page = (DOCS / "equations.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| \((\d+)\) \| .* \| (.*) \|$", page, re.MULTILINE)
     assert [int(number) for number, _ in rows] == [*range(1, 60)]
     for number, cell in rows:
         for name, link in re.findall(r"\[`([\w.]+)`\]\(([^)]+)\)", cell):
             function = pkgutil.resolve_name(re.sub(r"^(gf\.)?", "granular_fronts.", name))
-            file = (EQUATIONS.parent / link).resolve()
+            file = (DOCS / link).resolve()
             compiled = getattr(function, "py_func", function)
             assert inspect.getsourcefile(compiled) == str(file)
             text = file.read_text(encoding="utf-8")
