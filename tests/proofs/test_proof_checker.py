@@ -62,7 +62,9 @@ def test_statements_say_what_is_proved_and_round_it_outwards(name):
         assert (words in text) == bool(shown & numbers.keys())
     assert ("dashpots" in text) == (name == "dashpots")
     # The ball of the only solution is one in which the map contracts, and hardly a larger one is.
+    # Its radius is a quarter power of 2, rounded downwards.
     alone, front = flint.arb(re.search(r"‖y‖ < (\S+)\.", text)[1]), enclosed(name)
+    assert -0.012 < 4 * np.log2(float(alone)) - round(4 * np.log2(float(alone))) < 0
     least = PROVED[name]["inequalities"]["Y0 < (1 − Z1 − Z2(r)) r"][0]
     with in_balls():
         assert (1 - front.Z1 - front.Z2(alone)) * alone > least

@@ -16,7 +16,7 @@ from granular_fronts.proofs import balls, certificate, intervals, stored
 from granular_fronts.proofs.balls import in_balls
 from granular_fronts.proofs.certificate import prove_front, rational
 from granular_fronts.proofs.families import join, prove, prove_family, record
-from granular_fronts.proofs.intervals import CONCLUSIONS, _require_conclusion, _require_place
+from granular_fronts.proofs.intervals import _require_conclusion, _require_place
 
 ENDS = ("0.3", "0.302", "0.304")
 
@@ -156,7 +156,7 @@ def test_junction_counts_the_whole_line(known, name, place):
 
 
 @pytest.mark.slow  # Makes and proves certificates.
-def test_what_is_not_proved_is_made_anew_and_the_rest_is_kept(folder, tmp_path):
+def test_what_is_not_proved_is_made_anew_and_the_rest_is_kept(family, tmp_path):
     """A certificate of another interval, and none, in the place of the second."""
     first, second = sorted(family[0].glob("*.npz"))
     for file, place in ((first, first.name), (first, second.name)):
@@ -217,7 +217,7 @@ def test_wide_interval_that_concludes_nothing_is_made_narrower():
     for data, numbers in (
         ({"gamma": wide}, {}),
         (silent | {"gamma": narrow}, {}),
-        *((silent, {name: 1.0}) for name in CONCLUSIONS),
+        *((silent, {name: 1.0}) for name in ("overshoot", "oscillates", "critical", "monotone")),
     ):
         _require_conclusion(SimpleNamespace(data=data, numbers=numbers))
 
