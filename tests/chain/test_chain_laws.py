@@ -3,8 +3,9 @@
 import numba
 import numpy as np
 import pytest
-from chains import TIGHT, driven_scene, given, last_state
+from chains import TIGHT, driven_scene, given, last_state, ring_scene, smooth_ring
 from kernels import fastest
+from potentials import cosh
 
 import granular_fronts as gf
 from granular_fronts.chain import run as chain_run
@@ -12,7 +13,7 @@ from granular_fronts.chain.run import compile_law, integrate, prepare
 from granular_fronts.chain.simulate import solve
 from granular_fronts.chain.stage_passes import call_stage_pass, stage_pass, sum_rows
 from granular_fronts.chain.state import ELASTIC_SLOPES, ROWS_OF_PAIR, VALUE, D, U, make_table
-from granular_fronts.errors import InputError
+from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model.passes import row_parameters
 from granular_fronts.numerics.runge_kutta import LONG
 
@@ -144,6 +145,30 @@ def test_a_record_has_room_for_eight_kinks():
     assert compile_law(law(8), None).kink_count == 8
     with pytest.raises(InputError, match="has 9 kinks, but a chain has room for 8"):
         compile_law(law(9), None)
+
+
+COMPRESSIONS, VELOCITIES = smooth_ring()
+# After a flight of duration 10⁶ the beads collide faster than double precision resolves t.
+FAR = {"start": given([-1.0e55], [1.0e49, 0.0]), "end_time": 2.0e6}
+FAR |= {"tolerance": {"relative": 1e-9, "absolute": 1e35}}
+FAST = [{"start": given([0.0], [v, -v]), "law": {"elastic": cosh()}} for v in (10.0, -10.0)]
+LEAVES = r"strain of contact 1 leaves the interval from -3 to 3"
+
+
+@pytest.mark.parametrize(
+    ("scene", "sentence"),
+    [
+        (
+            ring_scene(COMPRESSIONS, 20.0 * VELOCITIES, alpha=0.7, beta=1.0),
+            r"scene one.*At t = .* contact of beads \d+ and \d+ opens.*alpha < 1",
+        ),
+        *[(driven_scene(beads=2, delta=0.0, **one), LEAVES) for one in FAST],
+        (driven_scene(beads=2, delta=0.0, **FAR), r"At t = 1e\+06 the step size.*bead 1"),
+    ],
+)
+def test_a_solve_that_cannot_go_on_says_when_where_and_why(scene, sentence):
+    with pytest.raises(SolveError, match=sentence):
+        gf.simulate_chain(scene, "one")
 
 
 # It measures processor time, and wants the machine for itself.
