@@ -106,12 +106,14 @@ REFUSALS[CHAIN] = [
     ({"beads": 1e30}, "beads is 1e+30 | give a whole number"),
     ({"law": {"alpha": 1, 5: None, "beta": 1, "gamma": 1}}, "law.5 is no key | no comma | point"),
     ({"end_time": 10**400}, "beyond what an array can hold"),
+    ({"end_time": 0}, "end_time is 0 | above 0"),
     ({"end_time": "long"}, 'end_time is "long"'),
     ({"tolerance__relative": "1.0e-13"}, 'relative is "1.0e-13" | write 1.0e-13'),
     ({"tolerance__relative": "1e-13"}, 'relative is "1e-13" | exponent | write 1.0e-13'),
     ({"boundary": {"kind": "rign"}}, 'boundary.kind is "rign" | pressure or ring or piston'),
     ({"boundary__kind": "ring"}, "boundary.left is no key\nboundary.right is no key"),
     ({"start": {"kind": "given"}}, "relative_displacement is missing\nvelocity is missing"),
+    ({"boundary": PISTON | {"ramp": -2}}, "boundary.ramp is -2 | limit 0"),
     ({f"{STEADY}beads": []}, "record.probes.steady.beads is empty"),
     ({"record__probes__Fig 1": PROBE}, '"Fig 1" in record.probes'),
     ({"record__probes": {3: PROBE}}, "3 in record.probes is no usable name"),
@@ -295,6 +297,7 @@ REFUSALS[chain_of] += [
     (push(1.0e200), "law has alpha 1.5 | energies of about 1e+333"),
     (push({"square": SINE}), "boundary.force.square is no key | pulse, half_sine"),
     (push({"harmonic": SINE, "pulse": STEP}), "give one"),
+    (push({"pulse": STEP | {"duration": 0}}), "pulse.duration is 0 | above 0"),
     (push({"table": {"times": [0, 1], "values": [1]}}), "2 entries, but values has 1"),
     (push({"table": {"times": [0, 2, 1], "values": [1] * 3}}), "(entry 3) is 1 | is 2"),
     (push({"table": {"times": [-1, 0], "values": [1, 1]}}), "(entry 1) is -1"),
@@ -384,6 +387,8 @@ REFUSALS[section] = [
     (("laws.materials.beads.cork.gamma", 0.438), "gamma is 0.438 | below 0.438"),
     ((f"{THETA}.order.steps", [0.24]), "order.steps has 1 entry | limit 3"),
     ((f"{STATES}", lattice({"kind": "toda"}, -1, -0.5, 0)), "states has 3 entries: list 2"),
+    ((BEADS, {"count": 9, "mass": {"taper": {"ratio": -1}}}), "ratio is -1 | above 0"),
+    ((BEADS, {"count": 0}), "beads.count is 0 | 1"),
     ((BEADS, {"count": 10**9, "cell": ["steel 9.5 mm"]}), "beads.count is 1000000000 | GiB"),
     ((BEADS, {"count": 20, "mass": HEAVY}), "impurity is at 30 | there are 20"),
     # Sizes.
@@ -396,6 +401,7 @@ REFUSALS[section] = [
     ),
     # Fronts.
     ((f"{FRONT_SCENE}.law.alpha", 1), "law.alpha is 1 | above 1"),
+    ((f"{FRONT_SCENE}.displacement", 0), "displacement is 0 | above 0"),
     ((f"{FRONT_SCENE}.driven_bead", 2), "driven_bead is 2 | limit"),
     # Equations of a ring.
     ((f"{RING}.equations", {}), "weak: equations is empty"),
@@ -597,6 +603,7 @@ for evolve, family in (
 
 REFUSALS[lambda changes: Ring.read(scene_with(**changes), "mine")] = [
     ({"law__alpha": 1}, "law.alpha is 1 | above 1"),
+    ({"law__gamma": 0}, "law.gamma is 0 | above 0"),
     ({"start__floor": 1.5}, "start.floor is 1.5 | limit 1"),
     ({"start__half_width": 27.5}, "half_width is 27.5 | 27.7853"),
     ({"start": {"kind": "given", "rescaled_force": [0.0, -0.1, 0.0]}}, "-0.1"),
@@ -747,10 +754,12 @@ REFUSALS[ring_of] = [
     ({"damping": 0.02, "half_length": 12.5}, "half_width is 2, but beads are ε = 8.33 apart"),
     ({"damping": 0.1}, "half_length is 8.1, but beads are ε = 1.67 apart"),
     ({"damping": 1e300}, "gamma c is 1e+300, but rings are followed for 0.001 to 1000"),
+    ({"damping": 1e-9}, "gamma c is 1e-09"),
     ({"half_width": 9}, "half_width is 9, but half of the ring is"),
     ({"base": 1.0}, "base is 1"),
     ({"alpha": 1 + 1e-9}, "half_length is 8.1, which asks for p | above 1e+06"),
     ({"alpha": 9.0, "delta": 1e300}, "A scale of this ring lies beyond double precision"),
+    ({"alpha": 9.0, "delta": 1e-300}, "A scale of this ring lies beyond double precision"),
     ({"start": LOW}, "rescaled_force passes through"),
 ]
 

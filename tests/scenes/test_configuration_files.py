@@ -98,14 +98,34 @@ def test_merged_keys_may_be_overridden():
     assert loaded["d"] == {"x": 3, "y": 2}
 
 
-def test_command_line_says_where_a_file_is_wrong_and_what_mappings_need(tmp_path, monkeypatch):
+REPEATED = "results: results/a\nresults: results/b\n"
+PLACE = "mine.yaml, line 2, column 1: the key results is given twice"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (REPEATED, PLACE),
+        (
+            "scenes: {chain: {initiation_overdamped: {law: {gamma: -0.5}}}}",
+            "Scene initiation_overdamped: law.gamma is -0.5",
+        ),
+        ("results: pyproject.toml", "pyproject.toml is a file"),
+    ],
+)
+def test_program_says_what_is_wrong(tmp_path, monkeypatch, text, words):
+    monkeypatch.chdir(ROOT)
+    file = tmp_path / "mine.yaml"
+    file.write_text(text, encoding="utf-8")
+    assert words in run_module(monkeypatch, "granular_fronts.scenes", DEFAULT, file)
+
+
+def test_workflow_says_where_a_file_is_wrong_and_what_mappings_need(tmp_path):
     """Snakemake hands over merged values only, in which one of two repeated keys is lost."""
     file = tmp_path / "mine.yaml"
-    file.write_text("results: results/a\nresults: results/b\n", encoding="utf-8")
-    place = f"{file}, line 2, column 1: the key results is given twice"
-    assert place in run_module(monkeypatch, "granular_fronts.scenes", DEFAULT, file)
+    file.write_text(REPEATED, encoding="utf-8")
     for option, words in (
-        (["--configfile", file], place),
+        (["--configfile", file], PLACE),
         (["--config", "scenes={chain: {a: {law: {gamma: 0.2}}}}"], "--configfile mine"),
     ):
         run = snakemake("fig04", *option)
