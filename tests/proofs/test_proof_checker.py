@@ -10,7 +10,7 @@ from pathlib import Path
 import flint
 import numpy as np
 import pytest
-from certificates import KEPT, PROVED, at, changed, enclosed, load, proved, setting
+from certificates import KEPT, PROVED, at, changed, enclosed, floats, load, proved, setting
 
 from granular_fronts.proofs import arrays
 from granular_fronts.proofs.__main__ import main
@@ -30,6 +30,9 @@ def test_certificates_prove_what_they_proved(name):
         sides = one["left"], one["right"]
         assert sides == pytest.approx(known["inequalities"][one["name"]], rel=1e-9, abs=1e-18)
         assert one["margin"] == one["right"] - one["left"] > 0
+    front = enclosed(name)
+    norms = front.rho.sum(), front.kappa.sum(), front.rho_behind, *front.outer_kappa
+    assert floats(norms) == pytest.approx(known["norms"], rel=1e-9)
 
 
 # How a statement prints each number, whether above (1) or below it (−1), and what it adds.
