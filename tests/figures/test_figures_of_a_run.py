@@ -70,7 +70,11 @@ SHOWN = {
         f"{U} over xi",
     ],
     "continuum_errors": [f"distance_{model} over gamma" for model in MODELS],
-    "critical_damping": [
+    "critical_damping near": [
+        *(f"critical_damping_{name} over alpha" for name in ("tail", "double_root")),
+        *(f"critical_damping_{name} over alpha" for name in ("long_wave", "overshoot")),
+    ],
+    "critical_damping plane": [
         *(f"critical_damping_{name} over alpha" for name in ("tail", "double_root")),
         *(f"critical_damping_{name} over alpha" for name in ("long_wave", "overshoot")),
         *["second_peak_leads over alpha", "first_peak_stays_below over alpha"],
@@ -190,7 +194,7 @@ def test_gaps_wider_than_the_panel_of_figure_6_are_marked():
     for row, time in enumerate(data["t"].values[1:]):
         axes = panels[f"relative_displacement {row}"]
         wide = data[U].sel(t=time) < axes.get_ylim()[0]
-        marks = [line for line in axes.get_lines() if line.get_marker() == "|"]
+        marks = [line for line in axes.get_lines() if line.get_marker() == "v"]
         marked = [bead for line in marks for bead in line.get_xdata()]
         np.testing.assert_array_equal(marked, data["bead"].where(wide, drop=True))
 
@@ -236,10 +240,17 @@ def test_jump_conditions_are_distances_over_the_sum_of_both_errors():
 
 def test_damping_is_dashed_where_fronts_oscillate():
     [data], panels = picture("damping_regimes")
-    drawn = iter(data_curves(panels["gamma"]))
-    for dashed, full, beta in zip(drawn, drawn, data["beta"], strict=True):
+    lines = curves(panels["gamma"])
+    marked = [line for line in lines if line.get_linestyle() == "None"]
+    for marks, beta in zip(marked, data["beta"], strict=True):
         law = data.sel(beta=beta)
-        oscillating = (law["gamma"] < law["critical_gamma"]).values
-        assert dashed.is_dashed()
-        assert not full.is_dashed()
-        np.testing.assert_array_equal(np.isfinite(full.get_ydata()), ~oscillating)
+        oscillating = law["velocity_ratio"].where(law["gamma"] < law["critical_gamma"], drop=True)
+        colour = marks.get_color()
+        alike = [one for one in lines if one is not marks and one.get_color() == colour]
+        dashed, full = (
+            {x for line in alike if line.is_dashed() == dashes for x in line.get_xdata()}
+            for dashes in (True, False)
+        )
+        assert dashed == set(oscillating.values)
+        assert full | dashed == set(law["velocity_ratio"].values)
+        assert len(full & dashed) <= 1

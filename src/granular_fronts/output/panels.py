@@ -92,7 +92,7 @@ def name_waves(axes: Axes, arrivals: xr.DataArray) -> None:
         return  # The front has not crossed the chain.
     axes.text(0.56 * last, 0.35 * arrival, "front", path_effects=edge)
     if 1.3 * arrival < end:
-        axes.text(0.1 * last, 1.3 * arrival, "reflected wave", path_effects=edge)
+        axes.text(0.1 * last, 1.45 * arrival, "reflected wave", path_effects=edge)
     axes.text(0.62 * last, 0.15 * arrival, "at rest", color="0.5")
 
 

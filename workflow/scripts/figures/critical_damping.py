@@ -16,7 +16,7 @@ from job import job
 
 HIGHEST_GAMMA = 1.2
 # Exponent and damping where the meanings part from each other.
-NEAR_ALPHA, LEAST_NEAR, MOST_NEAR = (1.0, 1.45), 0.07, 0.34
+MOST_NEAR_ALPHA, LEAST_NEAR, MOST_NEAR = 1.45, 0.07, 0.34
 # Places of the regions, as shares of the sides of the panel.
 REGIONS = {"fronts are monotone": (0.3, 0.9), "fronts oscillate": (0.6, 0.15)}
 # Line widths: dashes lie on the wider line where both coincide.
@@ -43,12 +43,14 @@ def critical_damping(data: xr.Dataset, materials: xr.Dataset) -> Figure:
     look: dict[str, Any] = {"ax": [plane, near], "location": "bottom", "aspect": 60}
     bar = figure.colorbar(colours, label="overshoot of the front", **look)
     bar.ax.xaxis.set_major_formatter(lambda value, _: f"{100.0 * value:g} %")
+    _draw_peaks(plane, data)
     _draw_materials(plane, materials)
     for words, place in REGIONS.items():
         plane.text(*place, words, transform=plane.transAxes, path_effects=EDGE)
     plane.set(yscale="log", ylim=(data["gamma"][0], HIGHEST_GAMMA))
-    plane.set(xlim=(1.0, data["alpha"][-1]))
-    near.set(xlim=NEAR_ALPHA, ylim=(max(LEAST_NEAR, float(data["gamma"][0])), MOST_NEAR))
+    plane.set(xlim=data["alpha"][[0, -1]])
+    near.set(xlim=(data["alpha"][0], MOST_NEAR_ALPHA))
+    near.set(ylim=(max(LEAST_NEAR, float(data["gamma"][0])), MOST_NEAR))
     plane.indicate_inset(near.viewLim.bounds, edgecolor="black", linewidth=0.7, alpha=1.0)
     plane.text(*near.viewLim.max, "(b)", ha="right", va="bottom")
     figure.legend(*plane.get_legend_handles_labels(), loc="outside upper center", ncols=3)
@@ -64,11 +66,15 @@ def _draw_curves(axes: Axes, data: xr.Dataset) -> None:
             path_effects=EDGE,
             **LOOKS[name]._asdict(),
         )
-    for name, width in PEAKS.items():
-        axes.plot(data["alpha"], data[name], linewidth=width, **LOOKS[name]._asdict())
     exchange = data.attrs["exchange_exponent"]
     axes.axvline(exchange, color="black", linewidth=0.7, linestyle=":", path_effects=EDGE)
     axes.text(exchange, 0.95, r" $\alpha^*$", transform=axes.get_xaxis_transform(), va="top")
+
+
+def _draw_peaks(axes: Axes, data: xr.Dataset) -> None:
+    """Where the second maximum becomes the higher one, and the first no overshoot."""
+    for name, width in PEAKS.items():
+        axes.plot(data["alpha"], data[name], linewidth=width, **LOOKS[name]._asdict())
 
 
 def _draw_overshoot(axes: Axes, data: xr.Dataset) -> ScalarMappable:

@@ -3,6 +3,7 @@
 from itertools import cycle
 from typing import Any
 
+import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -13,10 +14,10 @@ from granular_fronts.output.style import PROBE_COLOURS, new_figure
 from job import job
 
 SHOWN_GAMMA = (0.02, 50.0)
-SHORT_DASHES = (0, (2, 1))
+DASHES = (0, (4, 2))
 MARKERS = "os^v"
 # The first velocities with a mark: marks of laws are beside each other where their lines meet.
-MARKED = (4, 7, 10, 1)
+MARKED = (4, 7, 10, 13)
 
 
 def damping_regimes(data: xr.Dataset) -> Figure:
@@ -63,13 +64,15 @@ def damping_regimes(data: xr.Dataset) -> Figure:
 
 
 def _draw_gamma(axes: Axes, law: xr.Dataset, colour: str, marks: dict[str, Any]) -> None:
-    """γ against velocity, solid where fronts are overdamped, over dashes everywhere."""
-    # The dashes go on below the broader solid line, since the damping where both meet lies between
-    # two points.
-    dashes = {"linestyle": SHORT_DASHES, "linewidth": 0.6} | marks
-    overdamped = law["gamma"].where(law["gamma"] >= law["critical_gamma"])
-    axes.loglog(law["velocity_ratio"], law["gamma"], color=colour, **dashes)
-    axes.loglog(law["velocity_ratio"], overdamped, "-", color=colour)
+    """γ against velocity, solid where fronts are overdamped, and dashed where they oscillate."""
+    ratio, gamma = law["velocity_ratio"].values, law["gamma"].values
+    overdamped = gamma >= float(law["critical_gamma"])
+    axes.loglog(ratio, gamma, linestyle="", color=colour, **marks)
+    # Both lines are drawn between the two points around the critical damping.
+    near = np.convolve(overdamped, [1, 1, 1], "same") > 0
+    for part, line in ((near, "-"), (~overdamped, DASHES)):
+        if part.any():
+            axes.loglog(ratio[part], gamma[part], linestyle=line, color=colour)
 
 
 if __name__ == "__main__":

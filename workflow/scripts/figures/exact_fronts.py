@@ -33,8 +33,8 @@ def exact_fronts(underdamped: xr.Dataset, overdamped: xr.Dataset) -> Figure:
         profiles.sharey(panels["u 0"])
         residuals.sharey(panels["residual 0"])
     panels["u 0"].legend(loc="lower left")
-    panels["difference 0"].legend(loc="lower left")
-    panels["residual 0"].legend(loc="upper right")
+    panels["difference 1"].legend(loc="upper left")
+    panels["residual 1"].legend(loc="upper right")
     return figure
 
 
@@ -64,7 +64,7 @@ def _draw_difference(axes: Axes, data: xr.Dataset) -> None:
         difference = data[f"{field}_difference"]
         xi = difference["xi_shooting"]
         axes.semilogy(xi, np.abs(difference), marker, color=colour, markersize=2, label=label)
-    axes.set(ylabel="|difference|", xlabel=r"$\xi = n - ct$", ylim=(1e-17, 1e-12))
+    axes.set(ylabel="|difference|", xlabel=r"$\xi = n - ct$", ylim=(3e-17, 5e-13))
 
 
 def _draw_residuals(axes: Axes, data: xr.Dataset) -> None:
@@ -79,6 +79,10 @@ def _draw_residuals(axes: Axes, data: xr.Dataset) -> None:
             color=colour,
             label=method,
         )
+    rises = 1 + np.flatnonzero(np.diff(data["residual_history_profile"]) > 0.0)
+    for step in rises[:1]:
+        height = float(data["residual_history_profile"][step])
+        axes.annotate("finer grid", (step, height), (0, 4), textcoords="offset points", ha="center")
     axes.set(ylabel="residual", xlabel="step of the iteration")
 
 

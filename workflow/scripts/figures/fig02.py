@@ -40,7 +40,7 @@ def fig02(data: xr.Dataset) -> Figure:
 def _draw_free_end(axes: Axes, u: xr.DataArray, arrivals: xr.DataArray, clip: float) -> None:
     """An inset of the last beads when the front arrives, where contacts open."""
     last, arrival = int(arrivals["bead"][-1]), float(arrivals.max())
-    inset = axes.inset_axes((0.7, 0.46, 0.2, 0.17))
+    inset = axes.inset_axes((0.56, 0.47, 0.34, 0.18))
     look: dict[str, Any] = {
         "cmap": compression_map(),
         "vmin": -clip,

@@ -20,7 +20,7 @@ def fig05(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
     """
     figure, panels = new_figure(3.2, [[field] for field in FIELD_LABELS], sharex=True)
     # Dots lie in the circles where both exponents have the same value.
-    circles = {"color": GREEN, "marker": "o", "markersize": 3, "fillstyle": "none"}
+    circles = {"color": GREEN, "marker": "o", "markersize": 2.2, "fillstyle": "none"}
     for field, axes in panels.items():
         for data, look in ((weak, circles), (hertz, {"color": BLUE})):
             label = rf"$\alpha = {configuration_of(data)['law']['alpha']:g}$"

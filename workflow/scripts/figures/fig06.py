@@ -14,7 +14,7 @@ from granular_fronts.output.style import ALARM_COLOUR, CHAIN_COLOUR, EQUATION_CO
 from job import job
 
 # What is shown below zero, over what is above it; wider gaps are marked with their size.
-BELOW = 0.25
+BELOW = 0.3
 
 
 def fig06(data: xr.Dataset) -> Figure:
@@ -49,12 +49,12 @@ def _draw_snapshot(axes: Axes, snapshot: xr.Dataset, field: str) -> None:
     lowest = axes.get_ylim()[0]
     gaps = beads.where(beads < lowest, drop=True)
     if gaps.size:
-        edge = np.full(gaps.size, lowest)
-        axes.plot(gaps["bead"], edge, "|", color=ALARM_COLOUR, markersize=5, clip_on=False)
+        edge = np.full(gaps.size, 0.85 * lowest)
+        axes.plot(gaps["bead"], edge, "v", color=ALARM_COLOUR, markersize=2.5)
         axes.annotate(
             f"$u_{{{int(gaps.idxmin())}}} = {float(gaps.min()):.2g}$",
-            (float(gaps["bead"][-1]), lowest),
-            xytext=(6, 2),
+            (float(gaps["bead"][-1]), 0.85 * lowest),
+            xytext=(5, 1),
             textcoords="offset points",
             color=ALARM_COLOUR,
         )

@@ -39,6 +39,7 @@ def fronts_compared(scenes: list[xr.Dataset]) -> Figure:
             axes.set_xlim(right=float(data["xi"][-1]) + 0.3)
     panels["u 0"].set_ylabel(r"compression $u/\delta$")
     panels["error 0"].set_ylabel(r"error of $u/\delta$")
+    figure.align_ylabels()
     finish_grid(figure, [panels[name] for name in rows[0]], r"$\xi = n - ct$", columns=5)
     return figure
 

@@ -35,6 +35,7 @@ def multipliers(data: xr.Dataset) -> Figure:
         whole, near_one, spectra = panels[name], panels[zoomed], data.sel(scene=front)
         _draw_spectrum(whole, spectra, windows[-1:], 1.5)
         whole.set_title(_law(spectra))
+        whole.text(-1.08, -1.06, "$|z| = 1$")
         _draw_spectrum(near_one, spectra, windows, 3.0)
         near_one.set(xlim=(1.0 - NEAR, 1.0 + 0.1 * NEAR), ylim=(-0.55 * NEAR, 0.55 * NEAR))
         whole.indicate_inset(near_one.viewLim.bounds, edgecolor="black", linewidth=0.7, alpha=1.0)
@@ -42,16 +43,17 @@ def multipliers(data: xr.Dataset) -> Figure:
     gap = panels["gap"]
     _draw_gap(gap, data)
     # Both legends are below it, in the empty place of the figure.
-    gap.legend(loc="upper left", bbox_to_anchor=(-0.1, -0.25)).set_in_layout(False)
+    look: dict[str, Any] = {"loc": "upper left", "alignment": "left"}
+    gap.legend(title="(c)", bbox_to_anchor=(-0.1, -0.22), **look).set_in_layout(False)
     handles, words = panels[near[0]].get_legend_handles_labels()
-    place: dict[str, Any] = {"bbox_to_anchor": (-0.1, -0.65), "bbox_transform": gap.transAxes}
-    figure.legend(handles, words, loc="upper left", borderaxespad=0.5, **place)
+    place: dict[str, Any] = {"bbox_to_anchor": (-0.1, -0.66), "bbox_transform": gap.transAxes}
+    figure.legend(handles, words, title="other panels", borderaxespad=0.5, **place, **look)
     return figure
 
 
 def _draw_spectrum(axes: Axes, data: xr.Dataset, windows: range, markersize: float) -> None:
     """The unit circle, waves in the compressed chain behind the front, and some windows."""
-    axes.plot(CIRCLE.real, CIRCLE.imag, "-", color="black", linewidth=0.5)
+    axes.plot(CIRCLE.real, CIRCLE.imag, "-", color="black", linewidth=0.7, zorder=2.5)
     for branch in data["branch"].values:
         real, imaginary = (
             data[f"essential_multiplier_{part}"].sel(branch=branch)
