@@ -36,11 +36,12 @@ class Contraction(Inequalities):
     def contract(self, Y0):
         """Return the radius r of the theorem, and a larger one with only one solution."""
         self.require("Z1 < 1", self.Z1, arb(1))
-        # A little above the least radius; and all quarter powers of 2 down from 1.
+        # A little above the least radius.
         near = (factor * Y0 / (1 - self.Z1) for factor in (1.001, 1.1, 2))
         r = next(filter(partial(self.contracts, Y0), near), Y0).upper()
         self.require("Z1 + Z2(r) < 1", self.Z1 + self.Z2(r), arb(1))
         self.require("Y0 < (1 − Z1 − Z2(r)) r", Y0, (1 - self.Z1 - self.Z2(r)) * r)
+        # All quarter powers of 2 down from 1; what contracts nowhere was refused above.
         far = (arb(2) ** fmpq(-k, 4) for k in range(400))
         farthest = next(filter(partial(self.contracts, Y0), far), r).max(r)
         self.numbers["radius"] = above(r)
