@@ -141,8 +141,11 @@ def test_space_and_time_are_coloured_up_to_the_largest_compression(pressed, pull
     largest = float(u.max())
     assert plane(left).get_clim() == (-largest, largest)
     assert plane(left).colorbar.extend == "min"
-    held, _ = gf.plot.space_time(pulling)
+    held, moving = gf.plot.space_time(pulling)
     assert plane(held).colorbar.extend == "neither"
+    velocity = pulling["velocity_grid"]
+    assert plane(moving).get_clim() == (velocity.min(), velocity.max())
+    assert velocity.min() < 0.0
 
 
 @pytest.mark.parametrize("draw", [gf.plot.chain, gf.plot.space_time])

@@ -73,6 +73,7 @@ def test_page_holds_pictures_captions_tables_and_links(results):
     assert page.count("data:image/png;base64,") == 2
     assert 'alt="Seen in fig01_front."' in page
     assert "A <em>caption</em>." in page
+    assert page.index("#fig01_front") < page.index("#beyond") < page.index("#own_front")
     for file in ("figures/fig01_front.pdf", "tables/paper_numbers.csv"):
         assert f'href="{file}"' in page
         assert (results / file).exists()
@@ -101,7 +102,8 @@ def test_score_counts_the_verdicts_of_its_table_and_shows_what_does_not_hold(res
     verdicts = pd.Series(VERDICTS).value_counts()
     assert {verdict: int(count) for _, _, verdict, count in counts} == verdicts.to_dict()
     signs = {verdict: (name, sign) for name, sign, verdict, _ in counts}
-    assert len({signs[one] for one in ("holds", "not judged", "does not hold")}) == 3
+    shown = [signs[one] for one in ("holds", "not judged", "does not hold")]
+    assert [len(set(column)) for column in zip(*shown, strict=True)] == [3, 3]
     cells = re.findall(r"<td[^>]*>(.*?)</td>", page[page.index('id="paper_numbers"') :])
     for verdict, count in verdicts.items():
         assert cells.count(f"{signs[verdict][1]} {verdict}") == count
