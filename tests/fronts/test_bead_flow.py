@@ -83,14 +83,6 @@ def test_narrow_band_agrees_with_a_wide_one(law):
     assert np.abs(wide[:, SPREAD - 3 :]).max() > 1.0e-4
 
 
-@by_law
-def test_flow_is_of_order_eight(law):
-    start = compressed_window()
-    exact = moved(law, *start, steps=64)[0]
-    errors = [np.abs(moved(law, *start, steps=s)[0] - exact).max() for s in (3, 6)]
-    assert 6.5 < np.log2(errors[0] / errors[1]) < 10.5
-
-
 @pytest.mark.parametrize(("rows", "columns", "lower", "upper"), [(60, 55, 9, 6), (30, 30, 2, 3)])
 def test_banded_least_squares_agrees_with_dense(rows, columns, lower, upper):
     random = np.random.default_rng(0)

@@ -11,46 +11,16 @@ from granular_fronts.fronts.linear.floquet import (
     compressed_chain_multipliers,
     front_multipliers,
     monodromy_matrix,
-    multipliers,
     reflection_radius,
 )
-from granular_fronts.fronts.shooting.solve import shoot_front
 
 WEAK, STRONG = (1.5, 0.06 * 0.1**0.25), (1.5, 0.65 * 0.1**0.25)
 LAWS = [(*WEAK, 1.5), (3.0, 2.0, 3.0), (1.5, 0.3, 1.0)]
 by_law = pytest.mark.parametrize(("alpha", "gamma", "beta"), LAWS)
 
 
-@functools.cache
-def shot(alpha, gamma, beta, lengthening=1):
-    """A front with so many times the usual beads behind."""
-    front = shoot_front(alpha, gamma, beta)
-    if lengthening > 1:
-        beads = -lengthening * int(front.bead[0]), int(front.bead[-1])
-        front = shoot_front(alpha, gamma, beta, beads=beads, guess=front)
-    assert front.converged, front.reason
-    return front
-
-
 solved = functools.cache(gf.solve_front)
 solved_multipliers = functools.cache(lambda *law: front_multipliers(solved(*law)))
-
-
-def translation_mode(front):
-    """−U' and −D' at the beads, from the equations of motion; u = 1 behind and 0 ahead."""
-    law, u = front.window.law, np.maximum(front.relative_displacement, 0.0)
-    elastic, damping = (np.concatenate([[1.0], u**e, [0.0]]) for e in (law.alpha, law.beta))
-    rate = front.strain_rate + law.gamma * np.diff(damping, 2)
-    return np.column_stack([rate, np.diff(elastic, 2)]).ravel()
-
-
-@by_law
-def test_translation_is_an_eigenvector_at_one(alpha, gamma, beta):
-    front = shot(alpha, gamma, beta, 2)
-    state = front.relative_displacement, front.strain_rate
-    mode = translation_mode(front)
-    defect = monodromy_matrix(*state, alpha, gamma, beta) @ mode - mode
-    assert np.abs(defect).max() < 1.0e-9 * np.abs(mode).max()
 
 
 @by_law
@@ -65,24 +35,20 @@ def test_front_is_stable(alpha, gamma, beta):
     assert np.all(np.diff(np.abs(result.values[1:])) <= 1.0e-12)
 
 
-@pytest.mark.parametrize(("alpha", "gamma"), [WEAK, (3.0, 0.1)])
-def test_translation_defect_falls_with_the_window(alpha, gamma):
-    front = solved(alpha, gamma, alpha)
-    length = -int(shot(alpha, gamma, alpha).bead[0])
+def test_translation_defect_falls_with_the_window():
     defects = [
-        front_multipliers(front, beads_behind=b).attrs["translation_defect"]
-        for b in (length // 2, length, 2 * length - 2)
+        front_multipliers(solved(3.0, 0.1, 3.0), beads_behind=b).attrs["translation_defect"]
+        for b in (40, 80, 160)
     ]
     assert defects[1] < 1.0e-3 * defects[0]
     assert defects[2] < 1.0e-10
 
 
-@pytest.mark.parametrize(("alpha", "gamma"), [WEAK, (3.0, 0.1)])
-def test_largest_multiplier_is_that_of_reflected_sound(alpha, gamma):
+def test_largest_multiplier_is_that_of_reflected_sound():
     """B (1 − z) tends to the law of long waves, with an error that falls like 1/B."""
     errors = []
     for beads in (100, 200):
-        result = front_multipliers(solved(alpha, gamma, alpha), beads_behind=beads)
+        result = front_multipliers(solved(3.0, 0.1, 3.0), beads_behind=beads)
         assert result.values[1].imag == 0.0
         expected = result.attrs["reflection_radius"]
         errors.append(abs(np.log(result.values[1].real) / np.log(expected) - 1.0))
@@ -116,35 +82,14 @@ def test_untouched_chain_is_nilpotent():
     assert not np.any(np.linalg.matrix_power(shift_and_block, beads))
 
 
-@by_law
-def test_momentum_is_conserved_seen_from_the_front(alpha, gamma, beta):
-    """Σ (n d_n + u_n) from the left, for kicks that do not reach an end; no front needed."""
-    front = shot(alpha, gamma, beta, 2)
-    n = np.arange(1.0, front.bead.size + 1.0)
-    weights = np.column_stack([np.ones(n.size), n]).ravel()
-    for steeper in (1.0, 2.0):
-        u, d = front.relative_displacement**steeper, front.strain_rate
-        defect = weights @ monodromy_matrix(np.abs(u), d, alpha, gamma, beta) - weights
-        from_ends = 2 * (front.window.spread + 5)
-        assert np.abs(defect[from_ends:-from_ends]).max() < 1.0e-13 * n.size
-
-
-def test_compressed_chain_touches_the_circle_at_one_only():
-    q = np.linspace(-np.pi, np.pi, 401)
-    z = compressed_chain_multipliers(1.5, 0.3, 1.5, q)
-    away = np.abs(q) > 1.0e-12
-    assert np.abs(z[:, away]).max() < 1.0
-    np.testing.assert_allclose(z[:, ~away], 1.0, rtol=0, atol=1.0e-15)
-
-
 def test_compressed_chain_is_that_of_the_monodromy_matrix():
     """In the middle of a long compressed window a plane wave is multiplied by z."""
-    alpha, gamma, q, beads = 1.5, 0.1, 0.7, 60
-    matrix = monodromy_matrix(np.ones(beads), np.zeros(beads), alpha, gamma, alpha)
+    alpha, gamma, beta, q, beads = 1.5, 0.1, 1.0, 0.7, 60
+    matrix = monodromy_matrix(np.ones(beads), np.zeros(beads), alpha, gamma, beta)
     kappa = 2.0 - 2.0 * np.cos(q)
-    z = compressed_chain_multipliers(alpha, gamma, alpha, q)[0]
+    z = compressed_chain_multipliers(alpha, gamma, beta, q)[0]
     sigma = np.log(z * np.exp(-1j * q))
-    wave = np.exp(1j * q * np.arange(beads))[:, np.newaxis] * [1.0, sigma + alpha * gamma * kappa]
+    wave = np.exp(1j * q * np.arange(beads))[:, np.newaxis] * [1.0, sigma + beta * gamma * kappa]
     moved = (matrix @ wave.ravel()).reshape(-1, 2)
     middle = slice(20, 40)
     np.testing.assert_allclose(moved[middle], z * wave[middle], rtol=0, atol=1.0e-13)
@@ -174,13 +119,6 @@ def test_what_is_no_front_is_reported():
     result = front_multipliers(front)
     assert result.attrs["translation_defect"] < 1.0e-6
     assert result.attrs["verdict"].startswith("undecided: flow and shift change the state by")
-
-
-def test_unstable_state_shows_outside_the_circle():
-    """A stretch of negative damping makes kicks grow."""
-    u, d = np.ones(40), np.zeros(40)
-    values, _ = multipliers(u, d, 1.5, -0.05, 1.5)
-    assert np.abs(values).max() > 1.01
 
 
 def test_reflection_radius_is_the_sound_round_trip():

