@@ -33,41 +33,30 @@ def test_restitution_is_the_series_of_viscoelastic_spheres():
     assert fourth == pytest.approx(0.348743, abs=1.0e-5)
 
 
-def pulses(velocity, strikers=1, prominence=0.1):
-    """Speed and largest force of the pulses behind an impact, the first one first."""
-    stop = 110.0 * velocity**-0.2
-    sensor = {"contacts": [50, 60], "start": 0.0, "stop": stop, "step": 0.05 * velocity**-0.2}
-    record = {"snapshots": [], "sensors": {"two": sensor}}
-    scene = struck_chain(HERTZ, 120, stop, TOLERANCE, record)
-    scene["start"] |= {"velocity": velocity, "beads": strikers}
-    found = gf.pulses(gf.simulate_chain(scene)["contact_force_two"], prominence)
-    passed = found["arrival"].values
-    return 10.0 / np.diff(passed, axis=1)[:, 0], found["peak"].values[:, 0]
-
-
-@pytest.mark.parametrize("velocity", [0.01, 1.0])
-def test_a_solitary_wave_is_as_fast_as_the_sixth_root_of_its_force(velocity):
-    """Nesterenko (1984); the factor is that of the exact wave, not of the long one, (4/5)^(1/2)."""
-    [speed], [force] = pulses(velocity)
-    exact = solitary_wave(1.5).u.max() ** -0.25
-    assert exact == pytest.approx(0.905516, abs=1.0e-6)
-    assert speed / force ** (1.0 / 6.0) == pytest.approx(exact, rel=1.0e-4)
-    assert exact - 0.8**0.5 > 0.01
-
-
-@pytest.mark.parametrize("strikers", [1, 2, 3])
+@pytest.mark.parametrize("strikers", [1, 3])
 def test_so_many_beads_that_hit_a_chain_make_so_many_solitary_waves(strikers):
-    """Phys. Rev. E 67, 066607 (2003), abstract."""
-    speeds, forces = pulses(1.0, strikers)
+    """Phys. Rev. E 67, 066607 (2003), abstract.
+
+    Their speeds go like the sixth root of their forces, Nesterenko (1984); the factor is that of
+    the exact wave, not of the long one, (4/5)^(1/2).
+    """
+    sensor = {"contacts": [50, 60], "start": 0.0, "stop": 110.0, "step": 0.05}
+    record = {"snapshots": [], "sensors": {"two": sensor}}
+    scene = struck_chain(HERTZ, 120, 110.0, TOLERANCE, record)
+    scene["start"] |= {"velocity": 1.0, "beads": strikers}
+    found = gf.pulses(gf.simulate_chain(scene)["contact_force_two"], 0.1)
+    speeds, forces = 10.0 / np.diff(found["arrival"], axis=1)[:, 0], found["peak"].values[:, 0]
     assert speeds.size == strikers
     assert (np.diff(forces) < 0.0).all()
-    assert speeds / forces ** (1.0 / 6.0) == pytest.approx(0.905516, rel=3.0e-3)
+    exact = solitary_wave(1.5).u.max() ** -0.25
+    assert exact == pytest.approx(0.905516, abs=1.0e-6)
+    near = 1.0e-4 if strikers == 1 else 3.0e-3
+    assert speeds / forces ** (1.0 / 6.0) == pytest.approx(exact, rel=near)
 
 
-@pytest.mark.parametrize("velocity", [0.01, 0.32])
-def test_a_front_is_as_fast_as_the_fifth_root_of_the_velocity_of_its_piston(velocity):
+def test_a_front_is_as_fast_as_the_fifth_root_of_the_velocity_of_its_piston():
     """By mass V = cδ and momentum cV = δ^(3/2), James (2021), eq. (14)."""
-    beads, speed = 100, velocity**0.2
+    beads, velocity, speed = 100, 0.32, 0.32**0.2
     scene = struck_chain((1.5, 1.5, 1.0), beads, beads / speed, TOLERANCE, {"snapshots": []})
     scene |= {"boundary": {"kind": "piston", "velocity": velocity}, "start": {"kind": "rest"}}
     scene["record"]["arrival_level"] = 0.5 * velocity**0.8

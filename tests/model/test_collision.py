@@ -9,6 +9,7 @@ from scipy.integrate import solve_ivp
 
 import granular_fronts as gf
 from granular_fronts.model.collision import (
+    LARGEST_STEP,
     _slow_strength,
     damping_for_restitution,
     log_restitution,
@@ -65,6 +66,16 @@ def test_degenerate_exponent_is_a_damped_oscillator(beta, ratio):
     for nu in (0.5 - 1.0e-15, 0.5 + 1.0e-15):
         assert log_restitution(nu, 4.0 * ratio) == pytest.approx(math.log(exact), rel=1e-11)
     assert gf.restitution(1.001 * gamma / ratio, alpha, beta) == 0.0
+
+
+@by_exponents
+def test_smaller_steps_change_nothing(alpha, beta):
+    nu = beta / (alpha + 1.0)
+    for strength in (1.0e-8, 1.0, 300.0):
+        one, two = (
+            log_restitution(nu, strength, step) for step in (LARGEST_STEP, LARGEST_STEP / 3.0)
+        )
+        assert one == two or abs(one - two) < 5e-13 * max(1.0, abs(one))
 
 
 @pytest.mark.parametrize(("alpha", "beta"), [(1.5, 1.5), (3.0, 2.0)])

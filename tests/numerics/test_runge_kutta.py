@@ -1,4 +1,4 @@
-"""Algebraic identities of the pair and of its continuous extension."""
+"""Algebraic identities of what is derived from SciPy's pair and its continuous extension."""
 
 import numpy as np
 import pytest
@@ -9,37 +9,12 @@ A, B, C = rk.A[: rk.STAGES, : rk.STAGES], rk.B[: rk.STAGES], rk.C[: rk.STAGES]
 ROUNDING = 5.0e-15
 
 
-def test_row_sums_are_the_nodes():
-    np.testing.assert_allclose(rk.A.sum(axis=1), rk.C, rtol=0, atol=ROUNDING)
-
-
-def test_quadrature_order_is_eight_and_not_nine():
-    errors = [abs(B @ C ** (k - 1) - 1.0 / k) for k in range(1, 10)]
-    assert max(errors[:8]) < ROUNDING
-    assert errors[8] > 1.0e-6
-
-
-def test_order_conditions_of_nested_quadratures():
-    """Σ b_i c_i^{k-1} a_ij c_j^{m-1} = 1/(m (k + m)), all with k + m ≤ 8."""
-    for k in range(1, 8):
-        for m in range(1, 9 - k):
-            nested = (B * C ** (k - 1)) @ (A @ C ** (m - 1))
-            assert nested == pytest.approx(1.0 / (m * (k + m)), abs=ROUNDING)
-
-
 def test_order_conditions_of_the_squared_matrix():
     """Σ b_i (A²)_ij c_j^{m-1} = 1/(m (m + 1) (m + 2)): the weights that the strain form uses."""
     squared = rk.A_SQUARED[: rk.STAGES, : rk.STAGES]
     for m in range(1, 7):
         exact = 1.0 / (m * (m + 1) * (m + 2))
         assert B @ (squared @ C ** (m - 1)) == pytest.approx(exact, abs=ROUNDING)
-
-
-@pytest.mark.parametrize(("weights", "order"), [(rk.ERROR_5, 5), (rk.ERROR_3, 3)])
-def test_error_weights_vanish_up_to_their_order(weights, order):
-    moments = [abs(weights[: rk.STAGES] @ C**k) for k in range(order + 1)]
-    assert max(moments[:order]) < ROUNDING
-    assert moments[order] > 1.0e-8
 
 
 def test_windows_hold_the_rows_of_the_matrix_and_of_its_square():

@@ -132,7 +132,7 @@ def modified_chain(chain, step, is_chain):
         inertia = np.eye(BEADS) - 0.5 * step * DIFFERENCES.T @ (g[:, None] * DIFFERENCES)
         return np.concatenate([v, np.linalg.solve(inertia, pressure - DIFFERENCES.T @ force)])
 
-    answer = solve_ivp(rates, (0.0, END), np.zeros(2 * BEADS), rtol=1e-11, atol=1e-13)
+    answer = solve_ivp(rates, (0.0, END), np.zeros(2 * BEADS), "DOP853", rtol=1e-9, atol=1e-11)
     return DIFFERENCES @ answer.y[:BEADS, -1]
 
 

@@ -85,21 +85,6 @@ def test_ring_is_followed_alike_at_every_length():
             assert motion.site.size == (per_point * points if per_point else ring.beads)
 
 
-def test_maximum_over_places_bounds_the_one_over_beads():
-    ring = make_ring(1.5, mu=8, velocity="leading")
-    times, (usual, _) = np.array([1.0 / ring.scaling.slow_rate]), ring_limit.resolutions(1e-8)
-    motions = [
-        follow(ring, times, usual)
-        for follow in (ring_limit._follow_smooth, ring_limit._follow_beads)
-    ]
-    fields = [ring_limit.velocity_residuals(ring, one, [0])["residual_printed"] for one in motions]
-    places, beads = (
-        ring_limit.largest(field, one.is_smooth)[0]
-        for field, one in zip(fields, motions, strict=True)
-    )
-    assert beads < places < 1.01 * beads
-
-
 def test_start_that_is_no_number_ends_in_an_error():
     fourier, u = FourierRing(1.5, 0.3, 40, 16), np.full(16, 1.0)
     with pytest.raises(SolveError, match="step size collapsed"):
@@ -153,18 +138,6 @@ def test_slow_start_sends_less_back_than_the_start_of_the_paper():
         found, residual = slope_and_residual(sizes, sent_back)
         assert found == pytest.approx(order, abs=0.35)
         assert residual < 0.15
-
-
-@pytest.mark.parametrize("damping", [0.3, 1.0])
-def test_velocity_needs_the_whole_first_order(damping):
-    """On the chain's own y; (43), the negative control, leaves a term of first order out."""
-    alphas = (1.05, 1.02, 1.01, 1.005)
-    sizes = [1.0 / make_ring(alpha, damping=damping).scaling.epsilon for alpha in alphas]
-    for formula, expected, width in (("first_order", 2.0, 0.2), ("printed", 1.0, 0.1)):
-        found = [at_one(alpha, f"residual_{formula}", damping=damping) for alpha in alphas]
-        order, residual = slope_and_residual(sizes, found)
-        assert order == pytest.approx(expected, abs=width)
-        assert residual < 0.1
 
 
 # Orders in ε.
