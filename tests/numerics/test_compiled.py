@@ -69,13 +69,19 @@ def test_a_kernel_depends_on_the_versions_of_its_compiler_and_of_numpy(monkeypat
             assert cache_folder.__wrapped__(file) != cache_folder(file), package.__name__
 
 
-KERNELS = """
-import numba
+INNER = """
 from granular_fronts.numerics.compiled import kernel
 
 @kernel
 def twice(x):
     return 2.0 * x
+"""
+OUTER = """
+import runpy
+import numba
+from granular_fronts.numerics.compiled import kernel
+
+twice = runpy.run_path({inner!r})["twice"]
 
 @kernel
 def four_times(x):
@@ -89,13 +95,15 @@ NOTICE = "Compiling the kernels of mine; this happens once and takes up to a min
 def test_one_line_says_that_kernels_are_compiled_and_none_where_they_are_cached(
     tmp_path, monkeypatch, capsys
 ):
+    """One for each package, and none for a kernel that is compiled for another's."""
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    file = tmp_path / "mine" / "kernels.py"
-    file.parent.mkdir()
-    file.write_text(KERNELS)
-    for taken_from_the_cache in (0, 1):
-        four_times = runpy.run_path(str(file))["four_times"]
-        assert four_times(3.0) == 12.0
+    inner, outer = (tmp_path / folder / "kernels.py" for folder in ("yours", "mine"))
+    for file, text in ((inner, INNER), (outer, OUTER.format(inner=str(inner)))):
+        file.parent.mkdir()
+        file.write_text(text)
+    for taken_from_the_cache in (0, 2):
+        four_times = runpy.run_path(str(outer))["four_times"]
+        assert four_times(3.0) == four_times(3) == 12.0
         assert sum(four_times.stats.cache_hits.values()) == taken_from_the_cache
     assert capsys.readouterr().err == NOTICE
 
