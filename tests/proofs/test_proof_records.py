@@ -75,6 +75,7 @@ def test_computed_front_lies_in_the_enclosure_and_in_the_bounds_of_its_tail(monk
     decay = -np.log(u[computed])
     assert np.all(data["decay_low"].values[computed] <= decay)
     assert np.all(decay <= data["decay_high"].values[computed])
-    # Ahead of all cells the bounds still grow as they must, by about 3/2 for each bead.
-    growth = data["decay_low"].values[-1] / data["decay_low"].values[-1 - front.n]
-    assert growth == pytest.approx(1.5, rel=0.02)
+    # Ahead of all cells the bounds follow from those one bead, and one less a cell, behind.
+    low, high, n = data["decay_low"].values, data["decay_high"].values, front.n
+    assert low[-1] == pytest.approx(1.5 * low[-1 - n] - np.log(1 + 0.3**2))
+    assert 0.25 < n * np.exp(1.5 * high[-n] - high[-1]) < 0.3  # c, below γ
