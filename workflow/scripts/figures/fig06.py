@@ -50,7 +50,7 @@ def _draw_snapshot(axes: Axes, snapshot: xr.Dataset, field: str) -> None:
     gaps = beads.where(beads < lowest, drop=True)
     if gaps.size:
         edge = np.full(gaps.size, 0.85 * lowest)
-        axes.plot(gaps["bead"], edge, "v", color=ALARM_COLOUR, markersize=2.5)
+        axes.plot(gaps["bead"], edge, "v", color=ALARM_COLOUR, markersize=2)
         axes.annotate(
             f"$u_{{{int(gaps.idxmin())}}} = {float(gaps.min()):.2g}$",
             (float(gaps["bead"][-1]), 0.85 * lowest),

@@ -60,8 +60,9 @@ def jump_conditions(data: xr.Dataset) -> Figure:
             fillstyle="none",
             label=label,
         )
-    shown = 1.1 * max(1.0, np.abs(axes.dataLim.intervalx).max())
+    shown = 1.25 * max(1.0, np.abs(axes.dataLim.intervalx).max())
     axes.axvspan(-1.0, 1.0, color="0.93", zorder=0)
+    axes.axvline(0.0, color="0.6", linewidth=0.4, zorder=0)
     axes.hlines(rows[1:] + 0.5, -shown, shown, color="0.8", linewidth=0.4)
     axes.set(xlabel="distance / stated error", xlim=(-shown, shown))
     axes.set_yticks(rows, list(_spell(data)))

@@ -35,7 +35,7 @@ def multipliers(data: xr.Dataset) -> Figure:
         whole, near_one, spectra = panels[name], panels[zoomed], data.sel(scene=front)
         _draw_spectrum(whole, spectra, windows[-1:], 1.5)
         whole.set_title(_law(spectra))
-        whole.text(-1.08, -1.06, "$|z| = 1$")
+        whole.text(1.1, -1.06, "$|z| = 1$", ha="right")
         _draw_spectrum(near_one, spectra, windows, 3.0)
         near_one.set(xlim=(1.0 - NEAR, 1.0 + 0.1 * NEAR), ylim=(-0.55 * NEAR, 0.55 * NEAR))
         whole.indicate_inset(near_one.viewLim.bounds, edgecolor="black", linewidth=0.7, alpha=1.0)
