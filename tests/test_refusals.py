@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from configurations import DEFAULT, SCENE, assert_refused, change
-from potentials import fpu, lennard_jones, morse, toda
+from potentials import NO_DISSIPATION, fpu, lennard_jones, morse, toda
 from rings import scene_with
 
 import granular_fronts as gf
@@ -27,7 +27,6 @@ from granular_fronts.continuum.log_burgers.equation import flux
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import turning_points
 from granular_fronts.errors import InputError
 from granular_fronts.model import scaling
-from granular_fronts.model.potentials import make_potential
 from granular_fronts.referee.problems import load_problems
 from granular_fronts.referee.settings import read_settings
 from granular_fronts.reference_methods import half_step
@@ -316,6 +315,8 @@ REFUSALS[chain_of] += [
     (sensor(contacts=[20]), "sensors.one.contacts names contact 20 | 19 contacts | 1 to 19"),
     (sensor(beads=[21]), "sensors.one.beads names bead 21 | 20 beads"),
     (sensor(), "sensors.one has neither contacts nor beads"),
+    (sensor(contacts=[1], step=30.0), "sensors.one.step"),
+    (sensor(contacts=[1], stop=13.0), "sensors.one.stop is 13 | end_time 12"),
     (sensor(contacts=[1], step=1e-8), "sensors.one.step is 1e-08 | GiB"),
     (
         {"record": sensor(contacts=[1])["record"] | {"probes": {"one": PROBE}}},
@@ -497,6 +498,8 @@ REFUSALS[keywords(gf.make_law)] = [
     ({"alpha": 1.5, "gamma": -0.1}, "gamma is -0.1 | at least 0"),
     ({"elastic": "toda"}, "elastic is 'toda' | a Mapping: give a mapping"),
     ({"elastic": {"kind": "hertz"}}, "hertz has no alpha"),
+    ({"elastic": {"kind": "hertz", "alpha": 0.0}}, "alpha is 0 | above 0"),
+    ({"elastic": {"kind": "hertz", "alpha": 1.5, "stiffness": -1.0}}, "stiffness is -1 | above 0"),
     (of("toda")["law"] | {"viscous": {"kind": "dashpot"}}, "no kind of viscous potential"),
     (of("toda")["law"] | {"viscous": {"kind": "proportional"}}, "proportional has no gamma"),
     (of("toda")["law"] | {"viscous": {"kind": "none", "gamma": 1}}, "no parameter of none"),
@@ -505,7 +508,6 @@ REFUSALS[keywords(gf.make_law)] = [
         for kind in ("kuwabara_kono", "simon_hunt_crossley")
     ),
 ]
-RESTS = make_potential("linear", gamma=0.0)
 BROKEN = gf.Potential(
     toda().value,
     toda().first,
@@ -521,16 +523,16 @@ REFUSALS[lambda given: gf.jump_conditions(*given[:3], dissipation=given[3])] = [
     ((fpu(-1.0, 0.0, -1.0), 0.0, 1.0, None), "strictly concave | Remark 1"),
     ((morse(), 0.6, 3.0, None), "is the square of a speed | eq. 13"),
     ((fpu(1.0, 0.0, 1.0), -1.0, 1.0, None), "vanishes between -1 and 1 | eq. 18"),
-    ((toda(), -1.0, 0.0, RESTS), "area (20) to be 0, but it is 0.14 | Remark 4"),
-    ((fpu(1.0, 0.0, 1.0), -1.0, 1.0, RESTS), "speed 1.41421 | Remark 4"),
+    ((toda(), -1.0, 0.0, NO_DISSIPATION), "area (20) to be 0, but it is 0.14 | Remark 4"),
+    ((fpu(1.0, 0.0, 1.0), -1.0, 1.0, NO_DISSIPATION), "speed 1.41421 | Remark 4"),
     ((toda(), -1.0, 0.0, fpu(-1.0)), "W'' of FPU potential is -1 | convex"),
     ((toda(), -0.1, -0.1, None), "both -0.1, but a front joins two different states"),
     ((lennard_jones(), -2.0, 0.0, None), "R_minus is -2.0 | defined from -1 to inf"),
     ((lennard_jones(), -1.0, 0.0, None), "V of Lennard-Jones potential is inf at r = -1"),
-    ((BROKEN, -1.0, 0.0, None), "V'' of mine is nan at r = -0."),
+    ((BROKEN, -1.0, 0.0, None), "V'' of mine is nan at r = -0.5"),
     ((toda(), -1.0, 0.0, NARROW), "is -1.0 | W is defined from -0.5 to 0.5"),
     ((gf.make_law(alpha=1.5), -0.5, 0.0, None), "Remark 4"),
-    ((gf.make_law(alpha=1.5), -0.5, 0.0, RESTS), "dissipation is | leave dissipation out"),
+    ((gf.make_law(alpha=1.5), -0.5, 0.0, NO_DISSIPATION), "dissipation is | leave dissipation out"),
 ]
 REFUSALS[keywords(gf.contact_stiffness)] = [({"first": "steel", "second": "glass"}, "are flat")]
 REFUSALS[lambda given: scaling.Scaling(*given).critical_velocity] = [
@@ -545,10 +547,10 @@ REFUSALS[lambda step: half_step.integrate(half_step.Chain(1, 1, 0), [0, 0], [1, 
     (0.0, "step is 0.0")
 ]
 REFUSALS[lambda given: theta_chain(Case(given[0], 0.1, 14, 12.0), *given[1:])] = [
-    ((1.5, 0.4, 0.1), "theta"),
-    ((1.5, 1.1, 0.1), "theta"),
-    ((0.5, 1.0, 0.1), "alpha"),
-    ((2.0, 1.0, 0.7), "end"),
+    ((1.5, 0.4, 0.1), "theta is 0.4"),
+    ((1.5, 1.1, 0.1), "theta is 1.1"),
+    ((0.5, 1.0, 0.1), "alpha is 0.5"),
+    ((2.0, 1.0, 0.7), "end_time is 12"),
 ]
 REFUSALS[keywords(gf.restitution)] = [
     ({"gamma": 1e308, "alpha": 1.5, "beta": 1.0}, "collision lies beyond double")

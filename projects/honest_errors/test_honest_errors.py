@@ -48,6 +48,7 @@ def test_a_few_problems_state_honest_errors(cases, seed, count, factor):
     assert hold(found, 0.98)
     assert not hold(smaller(found, factor), 0.98)
     places = [one for one in found if one[0].startswith("place")]
+    assert bool(places) == (cases is true_rings.cases)
     assert not places or hold(places, 0.98)
 
 

@@ -142,6 +142,7 @@ def test_fronts_of_the_transition_are_monotone_and_close():
         assert (front["slope"] <= 0.0).all()
         assert abs(front["rescaled_force"] - critical).max() < 1.0e-8
         assert squared_slope_at_one(mu) < 1.0e-40
+    assert max(map(squared_slope_at_one, (11.9, 12.0, 50.0))) < 1.0e-40
     # Below, an overshoot is of size e^(−πμ/2ω), ω² = 1 − μ²/4, the last digit near μ = 1.99.
     turns = [turning_points(mu)[0].size for mu in (1.98, 1.99, 1.995, 1.999, 2.0, 3.0)]
     assert turns == [1, 1, 0, 0, 0, 0]
@@ -237,7 +238,9 @@ def test_trajectories_of_the_portrait_lead_through_their_starts_and_gain_energy(
     scene = {"mu": [0.3], "profile": {"start": 0.0, "stop": 1.0, "step": 1.0}}
     starts = [[0.5, 0.0], [-0.4, 0.1]]
     portrait = {"mu": 0.3, "starts": starts, "span": 4.0, "step": 0.5, "limit": 2.0}
-    survey = survey_heteroclinic(scene | {"portrait": portrait})
+    well = {"limit": 1.5, "step": 0.5}
+    survey = survey_heteroclinic(scene | {"portrait": portrait, "well": well})
+    np.testing.assert_array_equal(survey["potential"], potential(np.arange(-1.5, 1.6, 0.5)))
     y, z = (survey[f"{name}_portrait"].values for name in ("rescaled_force", "slope"))
     np.testing.assert_array_equal(np.transpose([y[:, 8], z[:, 8]]), starts)
     energy = 0.5 * z**2 + potential(y)

@@ -151,6 +151,7 @@ def test_panels_show_the_variables_that_their_names_say(pattern):
             assert holds(data, SHOWN[pattern][0], plane(axes).get_array())
             continue
         lines = data_curves(axes)
+        assert lines
         for line, words in zip(lines, cycle(SHOWN[pattern])):
             ordinate, abscissa = words.split(" over ")
             assert holds(data, ordinate, line.get_ydata()), words

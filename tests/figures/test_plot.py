@@ -86,7 +86,7 @@ def test_a_front_joins_another_and_leaves_its_limits(front):
     axes = gf.plot.front(gf.solve_front(law=TODA, states=(-2.0, 0.0)))
     limits = axes.get_xlim()
     assert gf.plot.front(front, axes) is axes
-    assert len({line.get_color() for line in curves(axes)}) == 2
+    assert len({line.get_color() for line in curves(axes)}) == len(curves(axes)) == 2
     assert axes.get_xlim() == limits
 
 
@@ -99,7 +99,7 @@ def test_a_chain_is_drawn_at_each_snapshot_with_its_open_contacts(request, name)
     for row in range(3):
         assert_curve(curves(upper)[row], u["bead"], u[row])
         assert_curve(curves(lower)[row], motion["bead"], motion["velocity"][row])
-    assert len({line.get_color() for line in curves(upper)}) == 3
+    assert len({line.get_color() for line in curves(upper)}) == len(curves(upper)) == 3
     drawn = marks(upper)
     assert bool(drawn) == (name == "pressed")
     assert float(u.min()) < 0.0

@@ -8,6 +8,7 @@ import pytest
 from potentials import READY, hertz, morse, toda
 
 import granular_fronts as gf
+from granular_fronts.errors import InputError
 from granular_fronts.model.jump_conditions import jump_conditions, signed_area
 
 DIGITS = 60
@@ -74,6 +75,16 @@ def test_random_states_obey_the_theorems():
         mirrored = jump_conditions(potential, R_plus, R_minus, mass=m)
         assert mirrored.speed == pytest.approx(-front.speed, rel=1e-14)
         assert mirrored.energy_per_bead == pytest.approx(front.energy_per_bead, rel=1e-13)
+
+
+def test_a_law_that_holds_in_an_interval_is_asked_within_it():
+    within = gf.Potential(
+        np.square, lambda r: 2.0 * r, lambda r: 2.0 + 0.0 * r, interval=(-0.5, 0.5), name="W"
+    )
+    law = gf.make_law(elastic={"kind": "toda"}, viscous=within)
+    assert gf.jump_conditions(law, -0.4, 0.0).direction == 1
+    with pytest.raises(InputError, match="W is defined from"):
+        gf.solve_front(law=law, states=(-1.0, 0.0))
 
 
 def test_kink_in_the_middle_is_not_overlooked_and_spinodal_states_have_no_sound():

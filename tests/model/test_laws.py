@@ -31,6 +31,7 @@ def test_law_is_described_as_it_is_made():
         law = gf.make_law(**mapping)
         assert make_law(mapping) == law == make_law(law.describe())
         assert hash(make_law(law.describe())) == hash(law)
+        assert eval(repr(law)) == law
         assert make_law(law) is law
         assert make_law(elastic=law.elastic, viscous=law.viscous) == law
 

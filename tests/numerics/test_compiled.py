@@ -15,6 +15,7 @@ from kernel_cases import CASES, solve_cases
 from numba.core.registry import CPUDispatcher
 
 from granular_fronts.numerics.compiled import (
+    PACKAGES_IN_WORDS,
     SOURCES,
     Subroutine,
     cache_folder,
@@ -106,6 +107,7 @@ def test_one_line_says_that_kernels_are_compiled_and_none_where_they_are_cached(
         assert four_times(3.0) == four_times(3) == 12.0
         assert sum(four_times.stats.cache_hits.values()) == taken_from_the_cache
     assert capsys.readouterr().err == NOTICE
+    assert {"chain", "fronts"} <= PACKAGES_IN_WORDS.keys() <= set(PACKAGES)
 
 
 COUNT_AFTER_COMPILATION = """

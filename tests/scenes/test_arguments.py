@@ -223,7 +223,7 @@ def test_impossible_arguments_are_refused_in_a_sentence(name, parameter):
 TAKEN = {*dir(xr.Dataset()), *inspect.signature(xr.Dataset.sel).parameters}
 
 
-# The examples of the manual prove a front.
+# tests/proofs proves fronts, and the examples of the manual do so at night.
 @pytest.mark.parametrize("name", sorted(POSSIBLE.keys() - {"prove_front", "check_certificate"}))
 def test_possible_arguments_give_something_that_prints_well(name):
     """Variables of a solver have names and units, and attributes of a few lines at most."""
