@@ -4,7 +4,6 @@ import json
 import re
 import shutil
 import subprocess
-import tarfile
 from itertools import pairwise
 from pathlib import Path
 
@@ -103,8 +102,9 @@ def test_archive_holds_the_certificates_and_their_sums(tmp_path, kept):
         archive_certificates(*inputs, *files)
         made.append([file.read_bytes() for file in files])
     assert made[0] == made[1]
-    with tarfile.open(tmp_path / "1.tar") as tar:
-        tar.extractall(tmp_path / "unpacked", filter="data")
+    (tmp_path / "unpacked").mkdir()
+    # Python 3.11.2 has no filter, without which later ones warn.
+    subprocess.run(["tar", "-xf", tmp_path / "1.tar", "-C", tmp_path / "unpacked"], check=True)
     done = subprocess.run(
         ["sha256sum", "--strict", "-c", "SHA256SUMS"],
         cwd=tmp_path / "unpacked",
