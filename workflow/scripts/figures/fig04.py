@@ -37,7 +37,7 @@ def fig04(data: xr.Dataset) -> Figure:
     )
     panels["flux"].set(xlim=(0, 1), title="flux of the equation, and compression")
     panels["front"].set(xlabel=r"place $\xi$", ylabel=r"compression $y_\alpha^{1/\alpha}$")
-    panels["front"].set(xlim=(-6, 4), title="its front")
+    panels["front"].set(xlim=(-6, 4), title="front")
     panels["flux"].legend(loc="upper left")
     return figure
 
