@@ -30,6 +30,8 @@ from granular_fronts.fronts.sweep import sweep_fronts
 from granular_fronts.numerics.interpolation import last_crests
 
 DEFINITIONS = ("tail", "double-root", "long-wave", "overshoot")
+BENDS = 1.25
+"""Exponent below which the curves bend most, and are solved between the given exponents too."""
 BELOW = np.geomspace(0.5, 0.01, 36)
 """Shares of critical damping by which damping is below it where both peaks change places.
 
@@ -45,15 +47,17 @@ NOWHERE = Estimate(np.nan, 0.0)
 def map_plane(alpha, gamma, overshoot_cut, levels):
     """Return curves of critical damping and of the overshoot over exponents in equal steps.
 
-    The exponents are given as to `numpy.linspace`, and the dampings that bracket the curves as to
-    `numpy.geomspace`.  `critical_damping_<definition>` on (alpha) is NaN where it does not apply,
-    `overshoot_level` on (level, alpha) and the dampings from which on `second_peak_leads`, with
-    peaks that are `equal_peaks`, and `first_peak_stays_below` the state behind are NaN outside the
-    range of dampings, and where peaks are rounding.  The attribute `overshoot_cut` says above which
-    overshoot a front oscillates to the eye.  `exchange_exponent` is the α* where the meaning of
-    "tail" changes.
+    The exponents are given as to `numpy.linspace`, with those of `BENDS` between, and the dampings
+    that bracket the curves as to `numpy.geomspace`.  `critical_damping_<definition>` on (alpha) is
+    NaN where it does not apply.  `overshoot_level` on (level, alpha) and the dampings from which on
+    `second_peak_leads`, with peaks that are `equal_peaks`, and `first_peak_stays_below` the state
+    behind are NaN outside the range of dampings, and where peaks are rounding.  The attribute
+    `overshoot_cut` says above which overshoot a front oscillates to the eye.  `exchange_exponent`
+    is the α* where the meaning of "tail" changes.
     """
     exponents, dampings = np.linspace(**alpha), np.geomspace(**gamma)
+    middles = 0.5 * (exponents[:-1] + exponents[1:])
+    exponents = np.union1d(exponents, middles[middles < BENDS])
     last = meaning_changes_at()
     curves = {
         f"critical_damping_{definition.replace('-', '_')}": (
