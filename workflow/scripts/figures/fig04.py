@@ -25,6 +25,8 @@ def fig04(data: xr.Dataset) -> Figure:
         panels["flux"].plot(data["force"], case["flux"], label=rf"$\alpha = {alpha:g}$", **look)
         panels["flux"].plot(data["force"], case["compression"], **look)
         panels["front"].plot(data["xi"], case["front"], **look)
+        ahead = data["xi"][case["front"].values == 0.0]
+        panels["front"].plot(ahead[:1], 0.0 * ahead[:1], "o", color=look["color"], zorder=3)
     limit: dict[str, Any] = {"color": "black", "linestyle": "-"}
     panels["flux"].plot(data["force"], data["flux_limit"], label=r"$\alpha \to 1^+$", **limit)
     panels["flux"].plot(data["force"], data["force"], **limit)
