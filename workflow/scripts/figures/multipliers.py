@@ -91,8 +91,10 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
         axes.loglog(one["beads_behind"], slowest, linestyle="", **look)
     reflected = 1.0 - one["reflection_radius"]
     axes.loglog(one["beads_behind"], reflected, "-", color="0.6", label="reflected long waves")
-    axes.set(xlabel="beads behind the front in the window", ylabel=r"$1 - |z|$ of the slowest")
-    axes.set_ylim(bottom=0.005)
+    axes.set(
+        xlabel="beads behind the front in the window", ylabel=r"$1 - |z|$ of the slowest multiplier"
+    )
+    axes.set_ylim(0.005, max(0.06, axes.get_ylim()[1]))
     axes.set_xticks(data["beads_behind"], [f"{behind}" for behind in data["beads_behind"].values])
     axes.set_xticks([], minor=True)
     axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
