@@ -9,16 +9,18 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import BoundaryNorm
 from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
+from matplotlib.ticker import LogLocator
 
 from drawing import write_figure
 from granular_fronts.output.style import LOOKS, new_figure
 from job import job
 
 HIGHEST_GAMMA = 1.2
-# Exponent and damping where the meanings part from each other.
-MOST_NEAR_ALPHA, LEAST_NEAR, MOST_NEAR = 1.45, 0.07, 0.34
+# Enlarged parts: exponents, and damping.
+PARTS = {"plane near 1": ((1.02, 1.45), (0.07, 0.34)), "peaks": ((1.45, 3.0), (0.22, 0.56))}
 # Places of the regions, as shares of the sides of the panel.
-REGIONS = {"fronts are monotone": (0.3, 0.9), "fronts oscillate": (0.6, 0.15)}
+REGIONS = {"fronts are monotone": (0.3, 0.93), "fronts oscillate": (0.6, 0.15)}
+STRIP = (0.68, 0.81)
 # Line widths: dashes lie on the wider line where both coincide.
 PEAKS = {"second_peak_leads": 1.4, "first_peak_stays_below": 0.7}
 EDGE = [withStroke(linewidth=2, foreground="white")]
@@ -34,26 +36,31 @@ def critical_damping(data: xr.Dataset, materials: xr.Dataset) -> Figure:
     materials : xarray.Dataset
         Beads of remark 6.
     """
-    figure, panels = new_figure(3.3, [["plane", "near"]])
-    plane, near = panels.values()
-    for axes in (plane, near):
+    figure, panels = new_figure(4.4, [["plane", "plane near 1"], ["plane", "peaks"]])
+    plane = panels["plane"]
+    for axes in panels.values():
         colours = _draw_overshoot(axes, data)
         _draw_curves(axes, data)
         axes.set(xlabel=r"exponent $\alpha$ of the contact force", ylabel=r"damping $\gamma c$")
-    look: dict[str, Any] = {"ax": [plane, near], "location": "bottom", "aspect": 60}
+    look: dict[str, Any] = {"ax": list(panels.values()), "location": "bottom", "aspect": 60}
     bar = figure.colorbar(colours, label="overshoot of the front", **look)
     bar.ax.xaxis.set_major_formatter(lambda value, _: f"{100.0 * value:g} %")
-    _draw_peaks(plane, data)
+    figure.legend(*plane.get_legend_handles_labels(), loc="outside upper center", ncols=4)
     _draw_materials(plane, materials)
+    plane.set(yscale="log", ylim=(data["gamma"][0], HIGHEST_GAMMA))
+    plane.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    plane.yaxis.set_major_formatter("{x:g}")
+    plane.set(xlim=data["alpha"][[0, -1]])
+    for name, (exponents, damping) in PARTS.items():
+        part = panels[name]
+        part.set(xlim=exponents, ylim=damping)
+        plane.indicate_inset(part.viewLim.bounds, edgecolor="black", linewidth=0.7, alpha=1.0)
+        plane.text(*part.viewLim.max, part.get_title("left"), ha="right", va="bottom")
+    _draw_peaks(panels["peaks"], data)
     for words, place in REGIONS.items():
         plane.text(*place, words, transform=plane.transAxes, path_effects=EDGE)
-    plane.set(yscale="log", ylim=(data["gamma"][0], HIGHEST_GAMMA))
-    plane.set(xlim=data["alpha"][[0, -1]])
-    near.set(xlim=(data["alpha"][0], MOST_NEAR_ALPHA))
-    near.set(ylim=(max(LEAST_NEAR, float(data["gamma"][0])), MOST_NEAR))
-    plane.indicate_inset(near.viewLim.bounds, edgecolor="black", linewidth=0.7, alpha=1.0)
-    plane.text(*near.viewLim.max, "(b)", ha="right", va="bottom")
-    figure.legend(*plane.get_legend_handles_labels(), loc="outside upper center", ncols=3)
+    strip = f"overshoot < {100.0 * data.attrs['overshoot_cut']:g} %"
+    panels["peaks"].text(*STRIP, strip, transform=panels["peaks"].transAxes)
     return figure
 
 
@@ -68,13 +75,18 @@ def _draw_curves(axes: Axes, data: xr.Dataset) -> None:
         )
     exchange = data.attrs["exchange_exponent"]
     axes.axvline(exchange, color="black", linewidth=0.7, linestyle=":", path_effects=EDGE)
-    axes.text(exchange, 0.95, r" $\alpha^*$", transform=axes.get_xaxis_transform(), va="top")
+    axes.text(
+        exchange, 0.95, r" $\alpha^*$", transform=axes.get_xaxis_transform(), va="top", clip_on=True
+    )
 
 
 def _draw_peaks(axes: Axes, data: xr.Dataset) -> None:
     """Where the second maximum becomes the higher one, and the first no overshoot."""
     for name, width in PEAKS.items():
         axes.plot(data["alpha"], data[name], linewidth=width, **LOOKS[name]._asdict())
+    axes.legend(
+        handles=axes.lines[-len(PEAKS) :], loc="upper left", handlelength=1.8, borderaxespad=0
+    )
 
 
 def _draw_overshoot(axes: Axes, data: xr.Dataset) -> ScalarMappable:

@@ -16,7 +16,7 @@ MARKERS = ("o", "s", "^", "v", "D")
 CIRCLE = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 400))
 # Multipliers that rounding moves farther are not shown.
 LARGEST_ROUNDING = 1e-2
-NEAR = 0.2
+NEAR = 0.12
 """Side of the panels that show the neighbourhood of 1."""
 
 
@@ -34,12 +34,12 @@ def multipliers(data: xr.Dataset) -> Figure:
     for name, zoomed, front in zip(fronts, near, fronts, strict=True):
         whole, near_one, spectra = panels[name], panels[zoomed], data.sel(scene=front)
         _draw_spectrum(whole, spectra, windows[-1:], 1.5)
-        whole.set_title(_law(spectra))
+        whole.set_title(_name(spectra), loc="right")
         whole.text(1.1, -1.06, "$|z| = 1$", ha="right")
         _draw_spectrum(near_one, spectra, windows, 3.0)
         near_one.set(xlim=(1.0 - NEAR, 1.0 + 0.1 * NEAR), ylim=(-0.55 * NEAR, 0.55 * NEAR))
         whole.indicate_inset(near_one.viewLim.bounds, edgecolor="black", linewidth=0.7, alpha=1.0)
-        whole.text(1.0 - NEAR, NEAR, near_one.get_title("left"), ha="right")
+        whole.text(1.0 - NEAR, 2.0 * NEAR, near_one.get_title("left"), ha="right")
     gap = panels["gap"]
     _draw_gap(gap, data)
     # Both legends are below it, in the empty place of the figure.
@@ -52,7 +52,10 @@ def multipliers(data: xr.Dataset) -> Figure:
 
 
 def _draw_spectrum(axes: Axes, data: xr.Dataset, windows: range, markersize: float) -> None:
-    """The unit circle, waves in the compressed chain behind the front, and some windows."""
+    """The unit circle, waves in the compressed chain behind the front, and some windows.
+
+    The first multiplier of each window is that of translation, the cross at 1.
+    """
     axes.plot(CIRCLE.real, CIRCLE.imag, "-", color="black", linewidth=0.7, zorder=2.5)
     for branch in data["branch"].values:
         real, imaginary = (
@@ -62,7 +65,7 @@ def _draw_spectrum(axes: Axes, data: xr.Dataset, windows: range, markersize: flo
         label = "waves of the compressed chain" if branch == data["branch"].values[0] else None
         axes.plot(real, imaginary, ".", color="0.8", markersize=2, label=label)
     for number in windows:
-        spectrum = data.isel(beads_behind=number)
+        spectrum = data.isel(beads_behind=number, multiplier=slice(1, None))
         spectrum = spectrum.where(spectrum["multiplier_rounding"] < LARGEST_ROUNDING)
         axes.plot(
             spectrum["multiplier_real"],
@@ -85,15 +88,13 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
             "color": PROBE_COLOURS[-1 - number],
             "marker": MARKERS[-1 - number],
             "fillstyle": "none",
-            "label": _law(one),
+            "label": _name(one),
         }
         slowest = 1.0 - one["spectral_radius_without_translation"]
         axes.loglog(one["beads_behind"], slowest, linestyle="", **look)
     reflected = 1.0 - one["reflection_radius"]
     axes.loglog(one["beads_behind"], reflected, "-", color="0.6", label="reflected long waves")
-    axes.set(
-        xlabel="beads behind the front in the window", ylabel=r"$1 - |z|$ of the slowest multiplier"
-    )
+    axes.set(xlabel="beads behind the front in the window", ylabel=r"$1 - |z|$, slowest multiplier")
     axes.set_ylim(0.005, max(0.06, axes.get_ylim()[1]))
     axes.set_xticks(data["beads_behind"], [f"{behind}" for behind in data["beads_behind"].values])
     axes.set_xticks([], minor=True)
@@ -102,9 +103,9 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
     axes.yaxis.set_minor_locator(NullLocator())
 
 
-def _law(data: xr.Dataset) -> str:
-    """Exponent and damping of a front."""
-    return rf"$\alpha = {float(data['alpha']):g}$, $\gamma c = {float(data['gamma']):g}$"
+def _name(data: xr.Dataset) -> str:
+    """Name and damping of a front."""
+    return rf"{data['scene'].item()}, $\gamma c = {float(data['gamma']):g}$"
 
 
 if __name__ == "__main__":
