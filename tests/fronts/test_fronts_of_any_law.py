@@ -226,9 +226,9 @@ def test_both_ways_to_two_powers_are_one(beta):
     np.testing.assert_allclose(shot["relative_displacement"], other, rtol=0, atol=1e-13)
 
 
-def test_close_states_have_the_digits_that_rounding_leaves():
+@pytest.mark.parametrize("law", [law_of("toda", linear(0.3)), gf.make_law(alpha=1.5, gamma=0.3)])
+def test_close_states_have_the_digits_that_rounding_leaves(law):
     """Strains near −1 are known to 1e-16, and the jump of 0.01 accordingly less well."""
-    law = law_of("toda", linear(0.3))
     front = gf.solve_front(law=law, states=(-1.0, -0.99))
     theory = gf.jump_conditions(law, -1.0, -0.99)
     assert front.attrs["converged"] == 1
