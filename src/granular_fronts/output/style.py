@@ -34,7 +34,6 @@ PROBE_COLOURS = (
     "#5a2a05",
 )
 BLACK, BLUE, GREEN, LIGHT_BLUE, MAGENTA, BROWN = PROBE_COLOURS
-LIGHT_BROWN = "#d98a3d"
 DASHED, DOTTED, DASH_DOTTED = (0, (6, 1.5)), (0, (3, 1)), (0, (6, 1.5, 1, 1.5))
 PROBE_STYLES = ("-", DASHED, DASH_DOTTED, DOTTED, (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
 # What is clipped, failed or singled out.
@@ -62,7 +61,7 @@ LOOKS = {
     "double_root": Look("slowest tail roots merge", GREEN, DASH_DOTTED),
     "long_wave": Look(r"long-wave limit, $\mu = 2$", BLUE, DASHED),
     "overshoot": Look("overshoot too small to see", MAGENTA, DOTTED),
-    "second_peak_leads": Look("second maximum higher", LIGHT_BROWN, "-"),
+    "second_peak_leads": Look("second maximum higher", BROWN, "-"),
     "first_peak_stays_below": Look("first maximum below $\\delta$", BROWN, DASHED),
 }
 CONTINUUM_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "heteroclinic")}

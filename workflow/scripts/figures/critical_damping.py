@@ -21,8 +21,7 @@ PARTS = {"plane near 1": ((1.02, 1.45), (0.07, 0.34)), "peaks": ((1.45, 3.0), (0
 # Places of the regions, as shares of the sides of the panel.
 REGIONS = {"fronts are monotone": (0.3, 0.93), "fronts oscillate": (0.6, 0.15)}
 STRIP = (0.68, 0.81)
-# Line widths: dashes lie on the wider line where both coincide.
-PEAKS = {"second_peak_leads": 1.4, "first_peak_stays_below": 0.7}
+PEAKS = ("second_peak_leads", "first_peak_stays_below")
 EDGE = [withStroke(linewidth=2, foreground="white")]
 
 
@@ -70,7 +69,8 @@ def _draw_curves(axes: Axes, data: xr.Dataset) -> None:
         axes.plot(
             data["alpha"],
             data[f"critical_damping_{name}"],
-            path_effects=EDGE,
+            path_effects=EDGE if name != "overshoot" else None,
+            zorder=2.5 if name == "overshoot" else 2.0,
             **LOOKS[name]._asdict(),
         )
     exchange = data.attrs["exchange_exponent"]
@@ -82,8 +82,8 @@ def _draw_curves(axes: Axes, data: xr.Dataset) -> None:
 
 def _draw_peaks(axes: Axes, data: xr.Dataset) -> None:
     """Where the second maximum becomes the higher one, and the first no overshoot."""
-    for name, width in PEAKS.items():
-        axes.plot(data["alpha"], data[name], linewidth=width, **LOOKS[name]._asdict())
+    for name in PEAKS:
+        axes.plot(data["alpha"], data[name], linewidth=0.7, **LOOKS[name]._asdict())
     axes.legend(
         handles=axes.lines[-len(PEAKS) :], loc="upper left", handlelength=1.8, borderaxespad=0
     )

@@ -53,6 +53,12 @@ def _draw_free_end(axes: Axes, u: xr.DataArray, arrivals: xr.DataArray, clip: fl
     inset.tick_params(labelsize=6)
     opens = float(u.min()) < -0.01 * clip
     inset.set_title("last beads fly off" if opens else "last beads", fontsize=6)
+    if opens:
+        # In grey, red is no other than blue.
+        inset.text(
+            0.99, 0.6, "gap", transform=inset.transAxes, ha="right", color="white", fontsize=6
+        )
+        axes.text(last - 12, 2.2 * arrival, "gap", ha="right")
     axes.indicate_inset(inset.viewLim.bounds, edgecolor="black", linewidth=0.5)
     line: dict[str, Any] = {"arrowprops": {"arrowstyle": "-", "linewidth": 0.5}}
     box = inset.viewLim

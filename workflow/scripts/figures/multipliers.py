@@ -33,13 +33,13 @@ def multipliers(data: xr.Dataset) -> Figure:
     figure, panels = new_figure(4.1, [[*fronts, "gap"], [*near, "."]])
     for name, zoomed, front in zip(fronts, near, fronts, strict=True):
         whole, near_one, spectra = panels[name], panels[zoomed], data.sel(scene=front)
-        _draw_spectrum(whole, spectra, windows[-1:], 1.5)
+        _draw_spectrum(whole, spectra, windows[:1], 1.5)
         whole.set_title(_name(spectra), loc="right")
         whole.text(1.1, -1.06, "$|z| = 1$", ha="right")
-        _draw_spectrum(near_one, spectra, windows, 3.0)
+        _draw_spectrum(near_one, spectra, windows, 2.3)
         near_one.set(xlim=(1.0 - NEAR, 1.0 + 0.1 * NEAR), ylim=(-0.55 * NEAR, 0.55 * NEAR))
         whole.indicate_inset(near_one.viewLim.bounds, edgecolor="black", linewidth=0.7, alpha=1.0)
-        whole.text(1.0 - NEAR, 2.0 * NEAR, near_one.get_title("left"), ha="right")
+        whole.text(1.0 - NEAR, 0.2, near_one.get_title("left"), ha="right")
     gap = panels["gap"]
     _draw_gap(gap, data)
     # Both legends are below it, in the empty place of the figure.
@@ -95,7 +95,7 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
     reflected = 1.0 - one["reflection_radius"]
     axes.loglog(one["beads_behind"], reflected, "-", color="0.6", label="reflected long waves")
     axes.set(xlabel="beads behind the front in the window", ylabel=r"$1 - |z|$, slowest multiplier")
-    axes.set_ylim(0.005, max(0.06, axes.get_ylim()[1]))
+    axes.set_ylim(0.7 * slowest.min(), 1.5 * reflected.max())
     axes.set_xticks(data["beads_behind"], [f"{behind}" for behind in data["beads_behind"].values])
     axes.set_xticks([], minor=True)
     axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
