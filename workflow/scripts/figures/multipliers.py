@@ -38,8 +38,9 @@ def multipliers(data: xr.Dataset) -> Figure:
         whole.text(1.1, -1.06, "$|z| = 1$", ha="right")
         _draw_spectrum(near_one, spectra, windows, 2.3)
         near_one.set(xlim=(1.0 - NEAR, 1.0 + 0.1 * NEAR), ylim=(-0.55 * NEAR, 0.55 * NEAR))
-        whole.indicate_inset(near_one.viewLim.bounds, edgecolor="black", linewidth=0.7, alpha=1.0)
-        whole.text(1.0 - NEAR, 0.2, near_one.get_title("left"), ha="right")
+        whole.indicate_inset(near_one.viewLim.bounds, edgecolor="0.4", linewidth=0.5, alpha=1.0)
+        near_one.plot(1.0, 0.0, "+", color="black", markersize=7, label="translation")
+        whole.text(0.78, 0.2, near_one.get_title("left"), ha="right")
     gap = panels["gap"]
     _draw_gap(gap, data)
     # Both legends are below it, in the empty place of the figure.
@@ -76,7 +77,6 @@ def _draw_spectrum(axes: Axes, data: xr.Dataset, windows: range, markersize: flo
             markersize=markersize,
             label=f"front, {int(spectrum['beads_behind'])} beads behind",
         )
-    axes.plot(1.0, 0.0, "+", color="black", markersize=7, label="translation")
     axes.set(xlabel=r"Re $z$", ylabel=r"Im $z$", aspect="equal")
 
 
@@ -87,6 +87,7 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
         look: dict[str, Any] = {
             "color": PROBE_COLOURS[-1 - number],
             "marker": MARKERS[-1 - number],
+            "markersize": 5.0 / (1 + number),
             "fillstyle": "none",
             "label": _name(one),
         }
@@ -98,7 +99,7 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
     axes.set_ylim(0.7 * slowest.min(), 1.5 * reflected.max())
     axes.set_xticks(data["beads_behind"], [f"{behind}" for behind in data["beads_behind"].values])
     axes.set_xticks([], minor=True)
-    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 3, 5, 7)))
     axes.yaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_minor_locator(NullLocator())
 
