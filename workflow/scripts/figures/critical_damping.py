@@ -53,7 +53,7 @@ def critical_damping(data: xr.Dataset, materials: xr.Dataset) -> Figure:
     for name, (exponents, damping) in PARTS.items():
         part = panels[name]
         part.set(xlim=exponents, ylim=damping)
-        plane.indicate_inset(part.viewLim.bounds, edgecolor="black", linewidth=0.7, alpha=1.0)
+        plane.indicate_inset(part.viewLim.bounds, edgecolor="0.4", linewidth=0.5, alpha=1.0)
         plane.text(*part.viewLim.max, part.get_title("left"), ha="right", va="bottom")
     _draw_peaks(panels["peaks"], data)
     for words, place in REGIONS.items():
@@ -69,12 +69,11 @@ def _draw_curves(axes: Axes, data: xr.Dataset) -> None:
         axes.plot(
             data["alpha"],
             data[f"critical_damping_{name}"],
-            path_effects=EDGE if name != "overshoot" else None,
             zorder=2.5 if name == "overshoot" else 2.0,
             **LOOKS[name]._asdict(),
         )
     exchange = data.attrs["exchange_exponent"]
-    axes.axvline(exchange, color="black", linewidth=0.7, linestyle=":", path_effects=EDGE)
+    axes.axvline(exchange, color="0.5", linewidth=0.9, linestyle=":")
     axes.text(
         exchange, 0.95, r" $\alpha^*$", transform=axes.get_xaxis_transform(), va="top", clip_on=True
     )

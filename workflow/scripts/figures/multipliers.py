@@ -64,7 +64,7 @@ def _draw_spectrum(axes: Axes, data: xr.Dataset, windows: range, markersize: flo
             for part in ("real", "imaginary")
         )
         label = "waves of the compressed chain" if branch == data["branch"].values[0] else None
-        axes.plot(real, imaginary, ".", color="0.8", markersize=2, label=label)
+        axes.plot(real, imaginary, ".", color="0.8", markersize=1.4, label=label)
     for number in windows:
         spectrum = data.isel(beads_behind=number, multiplier=slice(1, None))
         spectrum = spectrum.where(spectrum["multiplier_rounding"] < LARGEST_ROUNDING)
