@@ -179,11 +179,9 @@ def _of_first_opening(samples, deepest, own, other, found, refined):
     through = of_u / own[STEEPNESS, first]
     error = np.fmax(_error_of_passage(samples, own, other)[first], through)
     rivals = np.flatnonzero(own[TIME] <= found["first_gap_time"] + 2.0 * error)
-    of_rate = _of_several(
-        np.abs(own[STEEPNESS] - other[STEEPNESS]),
-        _near(samples.time, samples.of_rate, own[TIME]),
-        own[TIME],
-    )[first]
+    rates = np.abs(own[STEEPNESS] - other[STEEPNESS])
+    several = _near(own[TIME][np.newaxis], rates[np.newaxis], own[TIME])
+    of_rate = np.fmax(several, _near(samples.time, samples.of_rate, own[TIME]))[first]
     beads = 1.0 + np.arange(own[TIME].size)
     return {
         name: max([least, abs(found[name] - refined[name]), *abs(values[rivals] - found[name])])
