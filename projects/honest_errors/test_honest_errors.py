@@ -82,7 +82,8 @@ def test_a_gap_of_truncation_alone_is_never_certain():
 @pytest.mark.parametrize("problem", [(1, 220), (1, 432), (3, 17), (3, 43)])
 def test_a_number_on_which_two_runs_agree_by_chance_states_its_error(problem):
     """A turn, the rate of a gap, a mean, an arrival: others nearby show what one does not."""
-    assert hold(true_chains.judge(true_chains.random_scene(np.random.default_rng(problem))))
+    found = true_chains.judge(true_chains.random_scene(np.random.default_rng(problem)))
+    assert max(ratio(*number) for _, *number in found) <= 2.0
 
 
 # Hundreds of problems; each push tries a few.
