@@ -534,7 +534,14 @@ REFUSALS[lambda given: gf.jump_conditions(*given[:3], dissipation=given[3])] = [
     ((gf.make_law(alpha=1.5), -0.5, 0.0, None), "Remark 4"),
     ((gf.make_law(alpha=1.5), -0.5, 0.0, NO_DISSIPATION), "dissipation is | leave dissipation out"),
 ]
-REFUSALS[keywords(gf.contact_stiffness)] = [({"first": "steel", "second": "glass"}, "are flat")]
+REFUSALS[lambda law: gf.make_law(law, gamma=1.0)] = [
+    ({"alpha": 1.5}, "as a whole and gamma besides: give one"),
+    (gf.make_law(alpha=1.5), "as a whole and gamma besides: give one"),
+]
+REFUSALS[keywords(gf.contact_stiffness)] = [
+    ({"first": "steel", "second": "glass"}, "are flat"),
+    ({"first": "steel 1e-110 mm", "second": "glass"}, "is 1e-113 m wide: give 1e-12 to"),
+]
 REFUSALS[lambda given: scaling.Scaling(*given).critical_velocity] = [
     ((0.1, 1.0e9, 1.0e-6, 1.0, 1.5, 1.25), "gamma is 0.1 | there is no velocity v_c"),
     ((0.1, 1.0e9, 0.0, 1.0), "gamma is 0 | there is no velocity v_c"),
@@ -553,7 +560,8 @@ REFUSALS[lambda given: theta_chain(Case(given[0], 0.1, 14, 12.0), *given[1:])] =
     ((2.0, 1.0, 0.7), "end_time is 12"),
 ]
 REFUSALS[keywords(gf.restitution)] = [
-    ({"gamma": 1e308, "alpha": 1.5, "beta": 1.0}, "collision lies beyond double")
+    ({"gamma": 1e308, "alpha": 1.5, "beta": 1.0}, "collision lies beyond double"),
+    ({"gamma": 0.5, "alpha": 1.5, "beta": 195.0}, "beta is 195 | at most 50"),
 ]
 SPHERE = {"radius": 0.01, "youngs_modulus": 1.0e9, "poisson_ratio": 0.3}
 BEAD = {"mass": 0.1, "stiffness": 1.0e9}
@@ -619,6 +627,7 @@ REFUSALS[lambda changes: Ring.read(scene_with(**changes), "mine")] = [
 REFUSALS[keywords(gf.heteroclinic)] = [
     ({"mu": -0.1}, "mu is -0.1 | 0"),
     ({"mu": 1.0e-300}, "mu is 1e-300 | 1e-280"),
+    ({"mu": 1.0e300}, "mu is 1e+300 | at most 1e+280"),
     ({"mu": float("nan")}, "mu is nan"),
     ({"mu": 1.0, "s": [[0.0]]}, "s has shape (1, 1)"),
     ({"mu": 1.0, "s": [0.0, float("nan")]}, "s holds nan"),

@@ -85,6 +85,17 @@ def test_what_passes_a_contact_is_the_integral_of_its_force(boundary):
         assert float(late[f"transmitted_{name}_one"][-1, 0]) == pytest.approx(value, rel=1e-12)
 
 
+def test_energy_of_a_slow_bead_behind_a_fast_one_keeps_its_digits():
+    """A piston has hardly moved; the energy beyond the contact is that of bead 2 alone."""
+    sensor = {"contacts": [1], "beads": [2], "stop": 0.001, "step": 0.001}
+    scene = sensed(
+        sensor, 0.001, law=ELASTIC | {"gamma": 0.0}, boundary={"kind": "piston", "velocity": 1.0}
+    )
+    motion = gf.simulate_chain(scene | {"beads": 2, "start": {"kind": "rest"}})
+    energy = motion["transmitted_energy_one"].values[-1, 0]
+    assert energy == pytest.approx(0.5 * motion["velocity_one"].values[-1, 0] ** 2, rel=1e-14)
+
+
 @pytest.mark.parametrize(
     "law", [ELASTIC | {"gamma": 0.2}, ELASTIC | {"beta": 1.0, "gamma": 0.1}, TODA]
 )

@@ -11,7 +11,7 @@ import granular_fronts as gf
 from granular_fronts.fronts.linear.critical_damping import meaning_changes_at
 
 # Long waves, the change of meaning at 1.188, Hertz and steep; from weak to strong damping.
-LAWS = list(itertools.product((1.001, 1.18, 1.5, 10.0), (1e-3, 0.19, 3.0, 50.0)))
+LAWS = list(itertools.product((1.001, 1.18, 1.5, 50.0), (1e-3, 0.19, 3.0, 50.0)))
 by_law = pytest.mark.parametrize(("alpha", "gamma"), LAWS)
 
 
@@ -44,6 +44,7 @@ def test_roots_are_those_of_high_precision_however_many_are_sought(alpha, gamma)
                 lambda x: relation(x, mpmath.mpf(alpha), mpmath.mpf(gamma)), mpmath.mpc(root)
             )
             assert abs(exact - root) <= 1e-14 * abs(exact)
+            assert abs(exact.real - root.real) <= 1e-14 * exact.real
 
 
 @by_law

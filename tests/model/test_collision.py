@@ -89,6 +89,17 @@ def test_inverse_returns(alpha, beta):
 
 
 @by_exponents
+@pytest.mark.parametrize("lost", [1.0e-12, 1.0e-8])
+def test_inverse_near_1_is_the_expansion_to_second_order(alpha, beta, lost):
+    """ln e = −x + (ν − ½)x², x = ½G B(ν + 1, ½); e itself has lost digits there, γ has not."""
+    with mp.workdps(40):
+        nu, small = mp.mpf(beta) / (mp.mpf(alpha) + 1), -mp.log(mp.mpf(1.0 - lost))
+        strength = 2 * (small + (nu - 0.5) * small**2) / mp.beta(nu + 1, 0.5)
+        exact = strength / (4 * ((mp.mpf(alpha) + 1) / 4) ** nu)
+        assert abs(damping_for_restitution(1.0 - lost, alpha, beta) / exact - 1) < ACCURACY
+
+
+@by_exponents
 def test_weak_damping_is_linear(alpha, beta):
     slope = weak_damping_slope(alpha, beta)
     dampings = np.array([1.0e-3, 1.0e-4])

@@ -27,7 +27,7 @@ HUGE = 10**400
 def a_front(**attributes):
     """A dataset that looks like a front, without solving for one."""
     xi = np.linspace(-9.0, 9.0, 19)
-    u = 1.0 / (1.0 + np.exp(3.0 * xi))
+    u = 1.0 / (1.0 + np.exp(4.0 * xi))
     law = {"alpha": 1.5, "beta": 1.5, "gamma": 0.3, "right_state": 0.0, "speed": 1.0}
     law |= {"spacing": 1.0, "state_behind": -1.0, "state_ahead": 0.0}
     return xr.Dataset(
@@ -152,7 +152,13 @@ OUT_OF_RANGE = {
         "drift": [0.0, 1.0],
         "beta": [2.0, 1.5],
     },
-    "pulses": {"prominence": [0.0, 1.5], "series": [a_series()]},
+    "pulses": {
+        "prominence": [0.0, 1.5],
+        "series": [
+            *[a_series(error_estimate=error) for error in (-1.0, math.nan, "x")],
+            *[a_series(error_estimate=0.0)[::-1], a_series(), a_series(error_estimate=0.0) / 0.0],
+        ],
+    },
     "restitution": {"alpha": [0.0], "beta": [0.5], "gamma": [-0.1]},
     "solve_front": {"right_state": [-0.1]},
     "sweep_fronts": {"alpha": [1.0], "gammas": [[[0.1]]]},

@@ -12,8 +12,9 @@ divided by δ, and speeds by :math:`c = (-V'(-\delta)/\delta)^{1/2}`, the speed 
 contacts at rest.  The front crosses the chain in the time N/c, and the motion ends after
 `crossings` such times.
 
-Errors.  One point in `REFINED_EVERY`, and always the first and last of a chunk, is solved again
-with steps halved.  See `chain.event_errors`.
+Errors.  Of a chunk of more than `REFINED_EVERY` points, one in so many is solved again with steps
+halved, drawn at random since axes repeat themselves, and always the first and the last; of a
+smaller chunk, all are.  See `chain.event_errors`.
 """
 
 import functools
@@ -45,13 +46,22 @@ def solve_chunk(points, settings, activity):
     if beads is not None:
         sizes["relative_displacement"] = (beads.size,)
     shape = points["beads"].shape
+    refined = _refined(math.prod(shape))
 
     def groups():
         for number, (index, point) in enumerate(single_points(points)):
-            refined = number % REFINED_EVERY == 0 or number == math.prod(shape) - 1
-            yield index, functools.partial(_measure, point, settings, beads, refined)
+            yield index, functools.partial(_measure, point, settings, beads, refined[number])
 
     return solve_groups(shape, sizes, groups(), ERROR_METHOD, activity)
+
+
+def _refined(count):
+    """Return which of the points of a chunk are solved again."""
+    if count <= REFINED_EVERY:
+        return np.ones(count, dtype=bool)
+    refined = np.random.default_rng(0).random(count) * REFINED_EVERY < 1.0
+    refined[[0, -1]] = True
+    return refined
 
 
 class _Motion(NamedTuple):

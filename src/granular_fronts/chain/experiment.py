@@ -107,21 +107,24 @@ def _checked(series):
             f"series has dimensions {series.dims} and attributes {list(series.attrs)}, but must "
             "be one along time and places with its error_estimate: give a variable of a motion."
         )
+    error = arguments.scalar("series.error_estimate", series.attrs["error_estimate"], least=0.0)
+    values = arguments.array("series", series.values)
     times = arguments.sequence("series along time", series[series.dims[0]].values)
     steps = np.diff(times)
-    if times.size < LEAST_SAMPLES or not np.allclose(steps, steps[0], rtol=1.0e-6, atol=0.0):
+    even = times.size > 1 and np.allclose(steps, steps[0], rtol=1.0e-6, atol=0.0) and steps[0] > 0.0
+    if times.size < LEAST_SAMPLES or not even:
         raise InputError(
             f"series has {times.size} samples, at steps of {steps.min(initial=np.inf):g} to "
             f"{steps.max(initial=-np.inf):g}, but must have {LEAST_SAMPLES} or more at equal "
             "steps: record a sensor or a grid."
         )
-    return series
+    return series.copy(data=values).assign_attrs(error_estimate=error)
 
 
 def _pulses_of(series, share=PROMINENCE):
     """Return arrival, peak and width, as estimates, of each pulse at one place."""
     times, values = series[series.dims[0]].values, series.values
-    height, error = values - values[0], float(series.attrs["error_estimate"])
+    height, error = values - values[0], series.attrs["error_estimate"]
     if not height.max() > error:
         return []
     curves = {

@@ -86,4 +86,6 @@ def _beyond(run, u, velocity):
     if not run.boundary.wall:
         elastic[:, -1] = 0.0
     each = beads.mass * velocity, 0.5 * beads.mass * velocity**2 + elastic
-    return (np.flip(np.cumsum(np.flip(of, axis=1), axis=1), axis=1) - of for of in each)
+    # Summed from the far end, because the share of a fast bead leaves its rounding behind.
+    sums = (np.flip(np.cumsum(np.flip(of[:, 1:], axis=1), axis=1), axis=1) for of in each)
+    return (np.pad(of, ((0, 0), (0, 1))) for of in sums)

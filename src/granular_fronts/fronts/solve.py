@@ -243,16 +243,17 @@ def _by_shooting(sought):
         lambda found: _converged(shooting.refine(found)),
         _converged(shooting.shoot_front(law.alpha, law.gamma, law.beta)),
     )
-    points = math.ceil(6.0 + 4.3 * law.alpha)
+    points = math.ceil(6.0 + 4.3 * max(law.alpha, law.beta))
+    # The refined front has points of its own, so that errors between points are seen.
     return [
         Solution(
             sought.problem,
-            1.0 / points,
-            *shooting.sample_front(found, points),
+            1.0 / number,
+            *shooting.sample_front(found, number),
             found.residuals,
             0.0,
         )
-        for found in shots
+        for found, number in zip(shots, (points, points + points // 2), strict=True)
     ]
 
 

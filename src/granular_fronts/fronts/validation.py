@@ -12,7 +12,7 @@ from granular_fronts.arguments import instance, scalar, sequence
 from granular_fronts.errors import InputError
 from granular_fronts.model.laws import make_law
 
-SAME = 1e-9  # by how much an untouched front may be off, over its spacing or its larger state
+SAME = 1e-12  # by how much an untouched front may be off, over its spacing or its larger state
 
 
 def check_law(alpha, gamma, beta=None):

@@ -58,7 +58,8 @@ from scipy.special import beta as euler_beta
 from granular_fronts.arguments import double_precision, scalar
 
 TOLERANCE = 3.0e-14  # Relative, just above what DOP853 can keep.
-ABSOLUTE_TOLERANCE = 1.0e-20  # So small that the relative one rules.
+ABSOLUTE_TOLERANCE = 1.0e-20  # Times G where it is small, so that the relative one rules.
+MOST_NU = 20.0  # Beyond it the damping sets in too late for the integration to see.
 LARGEST_STEP = 0.1  # In θ.
 FORGETTING = 45.0  # Λ at which the start is forgotten on the slow curve: exp(−45) is rounding.
 LEAST_LOGARITHM = -745.0  # Of the smallest positive number in double precision.
@@ -74,7 +75,7 @@ def restitution(gamma: float, alpha: float = 1.5, beta: float | None = None) -> 
     alpha : float, optional
         Exponent of the elastic force, above 0.
     beta : float, optional
-        Exponent of the viscous force, 1 or more; α by default.
+        Exponent of the viscous force, 1 to 20 (α + 1); α by default.
 
     Returns
     -------
@@ -110,7 +111,7 @@ def damping_for_restitution(e: float, alpha: float = 1.5, beta: float | None = N
     alpha : float, optional
         Exponent of the elastic force, above 0.
     beta : float, optional
-        Exponent of the viscous force, 1 or more; α by default.
+        Exponent of the viscous force, 1 to 20 (α + 1); α by default.
 
     Returns
     -------
@@ -155,7 +156,13 @@ def weak_damping_slope(alpha=1.5, beta=None):
 def _reduced_exponent(alpha, beta=None):
     """Return ν = β/(α + 1), β = α by default."""
     alpha = scalar("alpha", alpha, above=0.0, advice="give an exponent")
-    beta = scalar("beta", alpha if beta is None else beta, least=1.0, advice="give an exponent")
+    beta = scalar(
+        "beta",
+        alpha if beta is None else beta,
+        least=1.0,
+        most=MOST_NU * (alpha + 1.0),
+        advice="give an exponent",
+    )
     return beta / (alpha + 1.0)
 
 
@@ -187,7 +194,10 @@ def _integrated(nu, strength, largest_step):
         return strength * math.exp((2.0 * nu - 1.0) * log_radius) * sine ** (2.0 * nu)
 
     method = functools.partial(
-        DOP853, max_step=0.5 * largest_step, rtol=TOLERANCE, atol=ABSOLUTE_TOLERANCE
+        DOP853,
+        max_step=0.5 * largest_step,
+        rtol=TOLERANCE,
+        atol=ABSOLUTE_TOLERANCE * min(1.0, strength),
     )
     # Where a motion creeps the beads never part once θ' ≤ 0.
     theta, log_radius = _approach(damping, method, creeps=nu < 0.5)

@@ -50,6 +50,7 @@ from granular_fronts.model.potentials import Potential
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)  # Exact for polynomials of degree 47.
 SPLIT = 0.4  # Where an interval is cut in two: in the middle symmetry would hide a kink.
+ROUNDING = 4.0 * EPSILON  # Of a power, whose exponent is rounded too.
 CLOSE_ENOUGH = 1.0e-13  # Relative error at which the first of several ways is good enough.
 
 
@@ -198,7 +199,7 @@ def signed_area(potential, R_minus, R_plus):
         energy = _difference(potential.value, R_minus, R_plus)
         forces = [_at(potential.first, R) for R in (R_minus, R_plus)]
         work = 0.5 * jump * (forces[0] + forces[1])
-        rounding = EPSILON * abs(0.5 * jump) * (abs(forces[0]) + abs(forces[1]))
+        rounding = ROUNDING * abs(0.5 * jump) * (abs(forces[0]) + abs(forces[1]))
         return Estimate(energy.value - work, energy.error + rounding)
 
     ways = [from_second_derivative, from_differences]
@@ -225,7 +226,7 @@ def _squared_speed(potential, R_minus, R_plus):
 
 def _difference(function, R_minus, R_plus):
     before, after = _at(function, R_minus), _at(function, R_plus)
-    return Estimate(after - before, EPSILON * (abs(before) + abs(after)))
+    return Estimate(after - before, ROUNDING * (abs(before) + abs(after)))
 
 
 def _mean(function):

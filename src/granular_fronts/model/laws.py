@@ -142,7 +142,7 @@ def make_law(mapping: Law | Mapping[str, Any] | None = None, /, **parts: Any) ->
     Raises
     ------
     InputError
-        If a name, kind or value is impossible, or if both forms are mixed.
+        If a name, kind or value is impossible, or if forms are mixed.
 
     Examples
     --------
@@ -155,6 +155,10 @@ def make_law(mapping: Law | Mapping[str, Any] | None = None, /, **parts: Any) ->
     >>> law.proportional
     0.3
     """
+    if mapping is not None and parts:
+        raise InputError(
+            f"The law is given as a whole and {next(iter(parts))} besides: give one of them."
+        )
     if isinstance(mapping, Law):
         return mapping
     if mapping is not None:

@@ -54,6 +54,9 @@ MATERIALS = {
 UNITS = {"m": 1.0, "cm": 1.0e-2, "mm": 1.0e-3, "um": 1.0e-6, "in": 0.0254}
 """Units of a diameter, in metres."""
 
+LEAST_DIAMETER, LARGEST_DIAMETER = 1.0e-12, 1.0e12
+"""Of a sphere in metres: masses and stiffness stay within double precision."""
+
 _WORDS = re.compile(r"\s*(\w+?)\s*(?:\s(\S*\d\S*?)\s*([^\W\d]*)\s*)?", re.ASCII)
 
 
@@ -102,7 +105,11 @@ def body_of(words: str) -> Body:
             f"{words!r} has the unit {unit or 'none'}, which is no length: give the diameter in "
             f"{', '.join(UNITS)}."
         )
-    return Body(material_of(name), 0.5 * diameter * UNITS[unit])
+    if not LEAST_DIAMETER <= (metres := diameter * UNITS[unit]) <= LARGEST_DIAMETER:
+        raise InputError(
+            f"{words!r} is {metres:g} m wide: give {LEAST_DIAMETER:g} to {LARGEST_DIAMETER:g} m."
+        )
+    return Body(material_of(name), 0.5 * metres)
 
 
 def named_body(name: str, words: object) -> Body:

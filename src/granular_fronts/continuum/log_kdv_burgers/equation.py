@@ -79,8 +79,8 @@ def amplitude_of_chain(alpha, gamma, delta=1.0):
 
 
 def check_mu(mu):
-    """Return damping μ as a float; an InputError unless it is 0 or at least `SMALLEST_DAMPING`."""
-    mu = scalar("mu", mu, least=0.0, advice="contacts dissipate")
+    """Return damping μ as a float; an InputError unless it is 0 or 1e-280 to 1e280."""
+    mu = scalar("mu", mu, least=0.0, most=1.0 / SMALLEST_DAMPING, advice="contacts dissipate")
     if 0.0 < mu < SMALLEST_DAMPING:
         raise InputError(
             f"mu is {mu}, but must be 0, or at least {SMALLEST_DAMPING} for the energy of the "

@@ -88,7 +88,7 @@ def heteroclinic(mu: float, s: npt.ArrayLike | None = None) -> xr.Dataset:
     Parameters
     ----------
     mu : float
-        Damping μ of (54), 0 or at least 1e-280.
+        Damping μ of (54), 0 or from 1e-280 to 1e280.
     s : array_like, shape (points,), optional
         Where to evaluate it.  Without it, 1001 points between the places where 1 − y and where y
         have decayed to round-off; of an oscillating front at most 12 extrema.
@@ -104,7 +104,7 @@ def heteroclinic(mu: float, s: npt.ArrayLike | None = None) -> xr.Dataset:
     Raises
     ------
     InputError
-        If mu is below 0 or not finite, or s is not a finite list of numbers. If s reaches beyond
+        If mu is out of range, or s is not a finite list of numbers. If s reaches beyond
         the underflow of y, or over more turns than can be followed.
 
     Examples

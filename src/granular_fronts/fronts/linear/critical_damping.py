@@ -176,7 +176,7 @@ def _equations(x, z):
 
 
 def _long_wave(alpha):
-    return math.sqrt((1.0 - 1.0 / alpha) / 3.0)
+    return math.sqrt((alpha - 1.0) / alpha / 3.0)
 
 
 _MEANINGS: dict[str, Callable[[float], float]] = {

@@ -68,6 +68,9 @@ SETTLED = 1e-9
 # A sum this small relative to its terms is nothing but rounding.
 NEGLIGIBLE = 1e-13
 
+# Below it S counts, and not S − 1.
+SMALL = 0.25
+
 # Largest Re λ for which S is needed; beyond, 1/S is far below the last digit of 1.
 FLAT = 100.0
 
@@ -213,6 +216,11 @@ def _newton(x, alpha, damping, known):
         linear, curved = alpha * damping * x, alpha * line * more
         value = (alpha - 1.0) - linear + curved
         share = abs(value) / (alpha - 1.0 + abs(linear) + abs(curved))
+        if abs(1.0 + more) < SMALL:
+            # Strong damping draws roots towards the zeros 2πik of S, where S − 1 hides S.
+            more = 4.0 * (cmath.sinh(0.5 * x) / x) ** 2
+            value = alpha * line * more - 1.0
+            share, more = 0.5 * abs(value), more - 1.0
         if share < smallest:
             nearest, smallest = x, share
         slope = alpha * (1.0 + more) * (line * _log_slope(x) - damping)
