@@ -118,6 +118,17 @@ def test_of_extremes_that_are_equal_up_to_rounding_the_first_one_counts():
     assert found["largest_relative_displacement_bead"] == 2.0
 
 
+def test_a_contact_that_stands_still_at_its_largest_leaves_all_that_time_uncertain():
+    """A bead is pressed on a wall by a force that ends at t = 4."""
+    force = {"pulse": {"height": 0.05, "duration": 4.0}}
+    scene = driven_scene(2.9, 1, 16.0, beta=1.25, boundary={"kind": "wall", "force": force})
+    record = {"snapshots": [], "extremes": True}
+    motion = simulate_chain(scene | {"start": {"kind": "equilibrium"}, "record": record})
+    time = motion["largest_relative_displacement_time"]
+    assert float(time) - time.attrs["error_estimate"] < 0.01
+    assert float(time) + time.attrs["error_estimate"] > 3.99
+
+
 def test_equal_extremes_leave_time_uncertain_by_what_lies_between_them():
     """An undamped contact oscillates for ever: any of its maxima may be the largest."""
     data = extremes_of(TODA, [0.0], [0.5, -0.5], 20.0)

@@ -93,7 +93,8 @@ def event_errors(scene, recording, refined, contacts):
         errors |= _of_first_opening(samples, deepest, *events["opening"], *both)
         for kind in ("largest", "smallest"):
             event = events[kind][0][:, :contacts]
-            errors |= _of_extreme(kind, samples, event, rounding, *both)
+            u = np.array([own[:contacts] for _, own, *_ in states])
+            errors |= _of_extreme(kind, samples, event, (monitor_times(scene), u), rounding, *both)
     # No time is wrong by more than the motion lasts.
     return {
         name: min(error, scene.end_time) if name.endswith("_time") and error < np.inf else error
@@ -191,8 +192,11 @@ def _of_first_opening(samples, deepest, own, other, found, refined):
     }
 
 
-def _of_extreme(kind, samples, own, rounding, found, refined):
-    """Return the errors of value, time and bead of an extreme of all contacts."""
+def _of_extreme(kind, samples, own, states, rounding, found, refined):
+    """Return the errors of value, time and bead of an extreme of all contacts.
+
+    Of a contact that stands still at its extreme the states, times and u, are rivals.
+    """
     name = f"{kind}_relative_displacement"
     extreme, time, bead = (found[f"{name}{part}"] for part in ("", "_time", "_bead"))
     n = int(bead) - 1
@@ -203,10 +207,12 @@ def _of_extreme(kind, samples, own, rounding, found, refined):
     # The best end of a step may pass for a turn by rounding.
     turns = abs(own[VALUE, n] - extreme) <= rounding and steepness > 0.0
     through = of_rate / steepness if turns else 0.0
-    value, times, beads = candidates(own)
+    moments, u = states
+    everywhere = u, np.repeat(moments, u.shape[1]), np.tile(1.0 + np.arange(u.shape[1]), len(u))
+    value, times, beads = map(np.append, candidates(own), everywhere)
     distance = np.abs(value - extreme)
     # What rounding adds to an extreme of the start is no rival of it.
-    rivals = (distance <= 2.0 * of_u) & ((time > 0.0) | (distance > rounding))
+    rivals = (distance <= max(2.0 * of_u, 4.0 * rounding)) & (time > 0.0)
     errors = {
         name: [of_u],
         f"{name}_time": [through, *abs(times[rivals] - time)],
