@@ -159,6 +159,7 @@ REFUSALS[CHAIN] = [
 REFUSALS[scene("heteroclinic", "front_profiles")] = [
     ({"mu": [0.3, 2, 0.3]}, "mu (entry 3) is 0.3"),
     ({"mu": [0.3, 9e-281]}, "mu (entry 2) is 9e-281 | 1e-280"),
+    ({"mu": [0.3, 2e280]}, "mu (entry 2) is 2e+280 | 1e+280"),
     ({"profile__start": 10}, "profile.start is 10 | stop 10"),
     ({"profile__step": 60}, "profile.step is 60 | 50"),
     ({"profile__step": 1.0e-9}, "profile.step is 1e-09 | 2,980 GiB"),

@@ -25,6 +25,7 @@ LAWS = [
     (1.1, gf.critical_damping(1.1), 1.1),  # whose tail is longer than its slowest root says
     (3.0, 2.0, 3.0),
     (1.5, 0.3, 1.0),
+    (1.5, 0.1, 2.5),
     (1.5, 0.2, 4.0),
 ]
 by_law = pytest.mark.parametrize(("alpha", "gamma", "beta"), LAWS)

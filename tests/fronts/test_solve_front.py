@@ -35,6 +35,7 @@ def test_critical_damping_by_overshoot_is_met_from_both_sides():
 NOT_AS_SOLVED = [
     (lambda front: front.isel(xi=slice(None, None, 2)), "thin, crop or shift the values"),
     (lambda front: front.isel(xi=slice(None, -40)), "thin, crop or shift the values"),
+    (lambda front: front.sel(xi=abs(front["strain"] + 1.0) > 5e-11), "thin, crop or shift"),
     (lambda front: front.isel(xi=[]), "thin, crop or shift the values"),
     (lambda front: front.expand_dims("case"), "thin, crop or shift the values"),
     (lambda front: front.assign_coords(xi=front["xi"] + 1.0), "thin, crop or shift the values"),

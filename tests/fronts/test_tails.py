@@ -11,7 +11,7 @@ import granular_fronts as gf
 from granular_fronts.fronts.linear.critical_damping import meaning_changes_at
 
 # Long waves, the change of meaning at 1.188, Hertz and steep; from weak to strong damping.
-LAWS = list(itertools.product((1.001, 1.18, 1.5, 50.0), (1e-3, 0.19, 3.0, 50.0)))
+LAWS = list(itertools.product((1.001, 1.18, 1.5, 25.0, 50.0), (1e-3, 0.19, 3.0, 50.0)))
 by_law = pytest.mark.parametrize(("alpha", "gamma"), LAWS)
 
 
@@ -87,6 +87,9 @@ def test_critical_damping_is_a_double_root_and_tends_to_the_long_wave_formula():
             )
             assert abs(gamma / exact - 1) <= 1e-14
         ratios.append(gamma / gf.critical_damping(alpha, definition="long-wave"))
+    near = 1.0 + 2.0**-33
+    exact = math.sqrt(2.0**-33 / near / 3.0)
+    assert gf.critical_damping(near, definition="long-wave") == pytest.approx(exact, rel=1e-15)
     assert ratios[0] == pytest.approx(1.0, abs=1e-3)
     assert ratios == sorted(ratios, reverse=True)
 

@@ -82,6 +82,7 @@ def test_smaller_steps_change_nothing(alpha, beta):
 def test_inverse_returns(alpha, beta):
     # Just below a finite γ at which e vanishes, γ alone does not determine a small e.
     assert damping_for_restitution(1.0, alpha, beta) == 0.0
+    assert gf.restitution(1e-300, alpha, beta) == 1.0
     tolerance = ACCURACY if beta > (alpha + 1.0) / 2.0 else 1.0e-9
     for e in (1.0, 1.0 - 1.0e-9, 0.3, 1.0e-9):
         gamma = damping_for_restitution(e, alpha, beta)

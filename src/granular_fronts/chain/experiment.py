@@ -63,7 +63,7 @@ def pulses(series: xr.DataArray, prominence: float = PROMINENCE) -> xr.Dataset:
     Raises
     ------
     InputError
-        If the series has too few samples, or no evenly spaced ones.
+        If the series has too few samples, no evenly spaced ones forward in time, or no numbers.
 
     Examples
     --------
@@ -116,7 +116,7 @@ def _checked(series):
         raise InputError(
             f"series has {times.size} samples, at steps of {steps.min(initial=np.inf):g} to "
             f"{steps.max(initial=-np.inf):g}, but must have {LEAST_SAMPLES} or more at equal "
-            "steps: record a sensor or a grid."
+            "steps forward in time: record a sensor or a grid."
         )
     return series.copy(data=values).assign_attrs(error_estimate=error)
 
@@ -171,6 +171,7 @@ def _certain(own, other, error):
 
 def time_of_flight(series, start, stop):
     """Return the time from the first arrival at one place to that at another, an `Estimate`."""
-    _, place = _checked(series).dims
+    series = _checked(series)
+    _, place = series.dims
     first, last = (_pulses_of(series.sel({place: number})) for number in (start, stop))
     return last[0][0] - first[0][0] if first and last else Estimate(math.nan, 0.0)

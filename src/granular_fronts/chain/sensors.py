@@ -86,6 +86,5 @@ def _beyond(run, u, velocity):
     if not run.boundary.wall:
         elastic[:, -1] = 0.0
     each = beads.mass * velocity, 0.5 * beads.mass * velocity**2 + elastic
-    # Summed from the far end, because the share of a fast bead leaves its rounding behind.
-    sums = (np.flip(np.cumsum(np.flip(of[:, 1:], axis=1), axis=1), axis=1) for of in each)
-    return (np.pad(of, ((0, 0), (0, 1))) for of in sums)
+    # From the far end, so that what a fast bead adds leaves no rounding in the sums beyond it.
+    return (np.pad(np.cumsum(of[:, :0:-1], axis=1)[:, ::-1], ((0, 0), (0, 1))) for of in each)

@@ -35,7 +35,7 @@ class SolitaryWave(NamedTuple):
 
 def solitary_wave(alpha, points_per_bead=POINTS_PER_BEAD):
     """Return the solitary wave of speed 1; a refined grid checks it."""
-    rate = 2.0 * np.sqrt(3.0 * (1.0 - 1.0 / alpha))
+    rate = 2.0 * np.sqrt(3.0 * (alpha - 1.0) / alpha)
     half = np.ceil(max(HALF_PERIOD / rate, 4.0))
     points = int(2 * half * points_per_bead)
     xi = np.arange(points) / points_per_bead - half
@@ -60,4 +60,4 @@ def solitary_wave(alpha, points_per_bead=POINTS_PER_BEAD):
 
 def gaussian(alpha, xi):
     """Return u = y^(1/α) of the Gaussian of Remark 8, ξ in beads from its peak."""
-    return np.exp((0.5 - 3.0 * (1.0 - 1.0 / alpha) * xi**2) / alpha)
+    return np.exp((0.5 - 3.0 * (alpha - 1.0) / alpha * xi**2) / alpha)

@@ -69,7 +69,7 @@ class SlowScales(NamedTuple):
     @property
     def dispersion(self):
         """Dispersion μ⁻² in ξ and τ, μ = 2√3 γc (1 − 1/α)^(−1/2) of (54); see section 5."""
-        return (1.0 - 1.0 / self.alpha) / (12.0 * (self.gamma * self.speed) ** 2)
+        return (self.alpha - 1.0) / self.alpha / (12.0 * (self.gamma * self.speed) ** 2)
 
     @property
     def velocity_scale(self):
@@ -123,7 +123,7 @@ def gamma_for(alpha, delta, *, damping=None, epsilon=None, ratio=None, mu=None):
 
     The last two are one: :math:`\varepsilon/\gamma c = 12/\mu^2`.
     """
-    kappa = 1.0 - 1.0 / alpha
+    kappa = (alpha - 1.0) / alpha
     if epsilon is not None:
         damping = kappa / epsilon
     elif ratio is not None:

@@ -59,6 +59,7 @@ from granular_fronts.arguments import double_precision, scalar
 
 TOLERANCE = 3.0e-14  # Relative, just above what DOP853 can keep.
 ABSOLUTE_TOLERANCE = 1.0e-20  # Times G where it is small, so that the relative one rules.
+WEAK = 1.0e-17  # G below which the expansion for weak damping is exact.
 MOST_NU = 20.0  # Beyond it the damping sets in too late for the integration to see.
 LARGEST_STEP = 0.1  # In θ.
 FORGETTING = 45.0  # Λ at which the start is forgotten on the slow curve: exp(−45) is rounding.
@@ -139,12 +140,13 @@ def damping_for_restitution(e: float, alpha: float = 1.5, beta: float | None = N
         return math.log(found / wanted)
 
     low = high = math.log(-2.0 * wanted / euler_beta(nu + 1.0, 0.5))
-    while excess(low) > 0.0:
-        low -= 1.0
-    while excess(high) < 0.0:
-        high += 1.0
-    strength = math.exp(brentq(excess, low, high, xtol=1.0e-14, rtol=1.0e-14))
-    return strength / _strength(1.0, alpha, nu)
+    with double_precision("The damping of this collision", "give a larger e"):
+        while excess(low) > 0.0:
+            low -= 1.0
+        while excess(high) < 0.0:
+            high += 1.0
+        strength = math.exp(brentq(excess, low, high, xtol=1.0e-14, rtol=1.0e-14))
+        return strength / _strength(1.0, alpha, nu)
 
 
 def weak_damping_slope(alpha=1.5, beta=None):
@@ -171,8 +173,8 @@ def log_restitution(nu, strength, largest_step=LARGEST_STEP):
 
     A smaller bound on the integrator's steps in θ checks the result.
     """
-    if strength == 0.0:
-        return 0.0
+    if strength < WEAK:
+        return -0.5 * strength * float(euler_beta(nu + 1.0, 0.5))
     if nu == 0.5:
         ratio = 0.25 * strength
         return -math.pi * ratio / math.sqrt(1.0 - ratio**2) if ratio < 1.0 else -math.inf

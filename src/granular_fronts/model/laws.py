@@ -142,7 +142,8 @@ def make_law(mapping: Law | Mapping[str, Any] | None = None, /, **parts: Any) ->
     Raises
     ------
     InputError
-        If a name, kind or value is impossible, or if forms are mixed.
+        If a name, kind or value is impossible, if forms are mixed, or if keywords are
+        given besides a whole law.
 
     Examples
     --------

@@ -55,7 +55,7 @@ UNITS = {"m": 1.0, "cm": 1.0e-2, "mm": 1.0e-3, "um": 1.0e-6, "in": 0.0254}
 """Units of a diameter, in metres."""
 
 LEAST_DIAMETER, LARGEST_DIAMETER = 1.0e-12, 1.0e12
-"""Of a sphere in metres: masses and stiffness stay within double precision."""
+"""Limits of a diameter in metres: masses and stiffness stay within double precision."""
 
 _WORDS = re.compile(r"\s*(\w+?)\s*(?:\s(\S*\d\S*?)\s*([^\W\d]*)\s*)?", re.ASCII)
 

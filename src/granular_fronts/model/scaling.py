@@ -287,7 +287,7 @@ def damping_from_restitution(
     alpha : float, optional
         Exponent of the elastic force, above 0.
     beta : float, optional
-        Exponent of the viscous force, 1 or more; α by default.
+        Exponent of the viscous force, 1 to 20 (α + 1); α by default.
 
     Returns
     -------

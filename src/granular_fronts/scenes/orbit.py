@@ -108,10 +108,10 @@ class Orbits(Scene):
             yield from found
             return
         for index, mu in enumerate(self.mu):
-            if 0 < mu < SMALLEST_DAMPING:
+            if mu > 0 and not SMALLEST_DAMPING <= mu <= 1.0 / SMALLEST_DAMPING:
                 yield (
                     f"{name_entry('mu', index)} is {mu}, where the energy of the orbit loses its "
-                    f"digits: give 0, or {SMALLEST_DAMPING} or more."
+                    f"digits: give 0, or {SMALLEST_DAMPING} to {1.0 / SMALLEST_DAMPING:g}."
                 )
         yield from self._profile_ends_before_underflow()
         if self.portrait and self.portrait.mu not in self.mu:

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import numpy as np
 import xarray as xr
 from matplotlib import colormaps
 from matplotlib.axes import Axes
@@ -52,7 +53,9 @@ def critical_damping(data: xr.Dataset, materials: xr.Dataset) -> Figure:
     plane.set(xlim=data["alpha"][[0, -1]])
     for name, (exponents, damping) in PARTS.items():
         part = panels[name]
-        part.set(xlim=exponents, ylim=damping)
+        # What is outside the data is not white there.
+        part.set(xlim=np.clip(exponents, *data["alpha"][[0, -1]].values))
+        part.set(ylim=np.clip(damping, float(data["gamma"][0]), HIGHEST_GAMMA))
         plane.indicate_inset(part.viewLim.bounds, edgecolor="0.4", linewidth=0.5, alpha=1.0)
         plane.text(*part.viewLim.max, part.get_title("left"), ha="right", va="bottom")
     _draw_peaks(panels["peaks"], data)
@@ -69,6 +72,7 @@ def _draw_curves(axes: Axes, data: xr.Dataset) -> None:
         axes.plot(
             data["alpha"],
             data[f"critical_damping_{name}"],
+            # The overshoot's dashes are seen on the brown curves.
             zorder=2.5 if name == "overshoot" else 2.0,
             **LOOKS[name]._asdict(),
         )

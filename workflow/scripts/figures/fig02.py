@@ -58,7 +58,7 @@ def _draw_free_end(axes: Axes, u: xr.DataArray, arrivals: xr.DataArray, clip: fl
         inset.text(
             0.99, 0.6, "gap", transform=inset.transAxes, ha="right", color="white", fontsize=6
         )
-        axes.text(last - 12, 2.2 * arrival, "gap", ha="right")
+        axes.text(last - 12, 2.2 * arrival, "gap", ha="right", clip_on=True)
     axes.indicate_inset(inset.viewLim.bounds, edgecolor="black", linewidth=0.5)
     line: dict[str, Any] = {"arrowprops": {"arrowstyle": "-", "linewidth": 0.5}}
     box = inset.viewLim

@@ -87,6 +87,7 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
         look: dict[str, Any] = {
             "color": PROBE_COLOURS[-1 - number],
             "marker": MARKERS[-1 - number],
+            # Marks of fronts that agree lie within each other.
             "markersize": 5.0 / (1 + number),
             "fillstyle": "none",
             "label": _name(one),
@@ -96,7 +97,8 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
     reflected = 1.0 - one["reflection_radius"]
     axes.loglog(one["beads_behind"], reflected, "-", color="0.6", label="reflected long waves")
     axes.set(xlabel="beads behind the front in the window", ylabel=r"$1 - |z|$, slowest multiplier")
-    axes.set_ylim(float(0.7 * slowest.min()), float(1.5 * reflected.max()))
+    slowest = 1.0 - data["spectral_radius_without_translation"]
+    axes.set_ylim(float(0.7 * slowest.min()), float(1.5 * max(slowest.max(), reflected.max())))
     axes.set_xticks(data["beads_behind"], [f"{behind}" for behind in data["beads_behind"].values])
     axes.set_xticks([], minor=True)
     axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 3, 5, 7)))

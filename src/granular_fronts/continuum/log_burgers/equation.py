@@ -52,7 +52,7 @@ def flux(y: npt.ArrayLike, alpha: float) -> np.ndarray:
     An InputError if α ≤ 1 or some y < 0.
     """
     alpha = _check_alpha(alpha)
-    exponent = 1.0 - 1.0 / alpha
+    exponent = (alpha - 1.0) / alpha
     y = _check_force(y)
     with np.errstate(divide="ignore"):
         return -y * np.expm1(-exponent * np.log(np.where(y > 0.0, y, 1.0))) / exponent

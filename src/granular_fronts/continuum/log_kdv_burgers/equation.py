@@ -68,7 +68,7 @@ def amplitude_of_chain(alpha, gamma, delta=1.0):
     alpha = scalar("alpha", alpha, above=1.0, advice="fronts are compressive there")
     gamma = scalar("gamma", gamma, least=0.0)
     delta = scalar("delta", delta, above=0.0)
-    epsilon = math.sqrt(1.0 - 1.0 / alpha)
+    epsilon = math.sqrt((alpha - 1.0) / alpha)
     speed = delta ** ((alpha - 1.0) / 2.0)
     return Amplitude(
         mu=2.0 * math.sqrt(3.0) * gamma * speed / epsilon,

@@ -40,7 +40,7 @@ class Guess(NamedTuple):
 
 def continuum_guess(alpha, gamma, beta, bead):
     """Return the front of section 4 or 5 at consecutive beads."""
-    epsilon = math.sqrt(1.0 - 1.0 / alpha)
+    epsilon = math.sqrt((alpha - 1.0) / alpha)
     mu = 2.0 * math.sqrt(3.0) * beta * gamma / (alpha * epsilon)
     around = np.arange(bead[0] - 1.0, bead[-1] + 2.0)
     if mu < CRITICAL_MU:

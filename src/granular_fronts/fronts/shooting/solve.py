@@ -56,7 +56,7 @@ LONGER_BEHIND, LONGER_AHEAD = 1.25, 4  # of a refined window: factor, and beads
 
 ERROR_METHOD = (
     "largest difference to a solution with twice the time steps, in a window longer by "
-    f"{LONGER_BEHIND:g} behind and {LONGER_AHEAD} beads ahead"
+    f"{LONGER_BEHIND:g} behind and {LONGER_AHEAD} beads ahead, on a finer grid"
 )
 
 
