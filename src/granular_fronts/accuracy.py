@@ -153,6 +153,14 @@ def rounded(value: float, units: float = 1.0) -> Estimate:
     return Estimate(float(value), units * rounding_floor(value))
 
 
+def sampled_maximum(values: npt.ArrayLike) -> Estimate:
+    """Return the largest of equidistant samples; a smooth function exceeds it by h²|f''|/8."""
+    samples = np.asarray(values, dtype=float)
+    top = int(np.nanargmax(samples))
+    rise = np.nansum(np.abs(np.diff(samples[max(top - 1, 0) : top + 2], 2))) / 8.0
+    return Estimate(float(samples[top]), float(rise + rounding_floor(samples[top])))
+
+
 def recorded(variable: xr.DataArray) -> Estimate:
     """Return a number that a variable without dimensions holds, with its `error_estimate`."""
     return Estimate(float(variable), float(variable.attrs["error_estimate"]))

@@ -11,6 +11,7 @@ from granular_fronts.accuracy import (
     certain_sign,
     largest_difference,
     rounded,
+    sampled_maximum,
     variable_and_errors,
     with_refinement,
 )
@@ -108,3 +109,12 @@ def test_a_variable_states_the_largest_error_of_its_values_and_holds_each_beside
 
 def test_closed_formula_is_known_to_some_units_of_its_last_place():
     assert rounded(-3.0, units=4.0) == Estimate(-3.0, 4.0 * np.spacing(3.0))
+
+
+@pytest.mark.parametrize("place", [0.0, 0.1, 0.25, 0.5])
+def test_between_samples_a_parabola_exceeds_the_largest_by_no_more_than_is_stated(place):
+    """By h²/4 where two samples are equally high; what is masked or at the ends counts for none."""
+    x = np.linspace(-3.0, 3.0, 25)
+    found = sampled_maximum(np.where(x < -2.0, np.nan, 1.0 - (x - place * 0.25) ** 2))
+    assert found.value == 1.0 - (place * 0.25) ** 2
+    assert 1.0 - found.value <= found.error == pytest.approx(0.25**2 / 4.0, rel=1e-12)

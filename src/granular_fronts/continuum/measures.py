@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from granular_fronts.accuracy import Estimate, tabulated
+from granular_fronts.accuracy import Estimate, sampled_maximum, tabulated
 from granular_fronts.continuum.log_kdv_burgers.equation import CRITICAL_DAMPING, linear_rates
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import gaussian_centre
 
@@ -132,15 +132,9 @@ def flux_distance(dataset, alpha, smallest=0.0):
     """Return the largest |f_α(y) − y ln y|, y from `smallest` to 1, over 1/e."""
     flux, limit = dataset["flux"].sel(alpha=alpha), dataset["flux_limit"]
     difference = abs(flux - limit).where(dataset["force"] >= smallest)
-    return _sampled_maximum(difference * math.e)
+    return sampled_maximum(difference * math.e)
 
 
 def profile_distance(dataset, alpha):
     """Return the largest distance of u/δ between the fronts (46) and (45)."""
-    return _sampled_maximum(abs(dataset["front"].sel(alpha=alpha) - dataset["front_limit"]))
-
-
-def _sampled_maximum(values):
-    """Return the largest value on a grid, and what leaving out every other point changes."""
-    value = float(values.max())
-    return Estimate(value, abs(value - float(values[::2].max())) + 1.0e-15)
+    return sampled_maximum(abs(dataset["front"].sel(alpha=alpha) - dataset["front_limit"]))

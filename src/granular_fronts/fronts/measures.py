@@ -57,7 +57,7 @@ def distance(front, field, limit):
     """
     value = front[f"{field}_{limit}"]
     errors = value.attrs["error_estimate"] + front[field].attrs["error_estimate"]
-    return Estimate(float(value.attrs["distance"]), float(errors))
+    return Estimate(value.attrs["distance"], value.attrs["distance_error"] + errors)
 
 
 def tail_over_long_wave(curves, alpha):

@@ -16,7 +16,7 @@ difference over the window.  There is no freedom to shift in it, since all have 
 import numpy as np
 import xarray as xr
 
-from granular_fronts.accuracy import EPSILON
+from granular_fronts.accuracy import EPSILON, sampled_maximum
 from granular_fronts.chain.simulate import simulate_chain, simulate_once
 from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
@@ -114,5 +114,5 @@ def _with_distance(variable, front, field):
     """Return a variable with its largest difference to the exact front."""
     (dimension,) = variable.dims
     exact = evaluate_front(front, variable[dimension].values, field)
-    distance = float(np.abs(variable.values - exact).max())
-    return variable.assign_attrs(distance=distance)
+    distance = sampled_maximum(np.abs(variable.values - exact))
+    return variable.assign_attrs(distance=distance.value, distance_error=distance.error)
