@@ -1,15 +1,18 @@
 """The logarithmic Burgers equation in time: orders, balances and both solvers."""
 
+import itertools
+
 import numpy as np
 import pytest
 from rings import assert_order, at_end, coarsen, scene_with
+from scipy.integrate import quad
 
 import granular_fronts as gf
 from granular_fronts.continuum.evolution import evolve_unlimited
 from granular_fronts.continuum.log_burgers.equation import log_burgers_front
 from granular_fronts.continuum.log_burgers.finite_volumes import Equation
 from granular_fronts.continuum.log_burgers.solution import START_LEVELS, _smoothing_time, solve
-from granular_fronts.continuum.log_burgers.starts import make_start
+from granular_fronts.continuum.log_burgers.starts import Given, make_start
 from granular_fronts.errors import InputError, SolveError
 from granular_fronts.reference_methods import upwind
 from granular_fronts.scenes.ring import Ring
@@ -139,3 +142,13 @@ def test_explicit_step_that_would_blow_up_is_refused():
         upwind.evolve_upwind(values, 10.0, 1.0, step=1.01 * limit)
     with pytest.raises(InputError, match="positive"):
         upwind.evolve_upwind(np.zeros(1000), 10.0, 1.0)
+
+
+@pytest.mark.parametrize("alpha", [1.0, 1.5])
+def test_averages_of_a_start_of_few_points_are_those_of_its_polynomial(alpha):
+    start, edges = Given((0.3, 0.3, 1.0, 0.3, 0.3)), np.linspace(-3.0, 3.0, 17)
+    exact = [
+        quad(lambda xi: start.values(xi, 3.0) ** (1.0 / alpha), *ends, epsabs=1e-14)[0] * 16.0 / 6.0
+        for ends in itertools.pairwise(edges)
+    ]
+    np.testing.assert_allclose(start.averages(16, 3.0, alpha), exact, rtol=0, atol=1e-14)
