@@ -550,6 +550,11 @@ REFUSALS[lambda given: scaling.Scaling(*given).critical_velocity] = [
 REFUSALS[lambda chain: half_step.integrate(half_step.Chain(*chain), [0, 0], [1, 0], 0.1, 3)] = [
     ((1.5, 0.5, 0.1), "beta is 0.5"),
     ((1.5, 1.5, -1.0), "gamma is -1.0"),
+    ((1.5, 1.5, 0.1, -1.0), "left is -1.0"),
+]
+REFUSALS[lambda given: half_step.integrate(half_step.Chain(1, 1, 0), [0, 0], *given)] = [
+    (([1], 0.1, 3), "v holds 1 numbers, but x 2: give one for each bead"),
+    (([1, 0], 0.1, 3, [5]), "follow is | beads are 0 to 1"),
 ]
 REFUSALS[lambda step: half_step.integrate(half_step.Chain(1, 1, 0), [0, 0], [1, 0], step, 3)] = [
     (0.0, "step is 0.0")

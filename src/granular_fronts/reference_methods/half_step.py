@@ -43,7 +43,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from granular_fronts.arguments import array, count, scalar
+from granular_fronts.arguments import count, scalar, sequence
+from granular_fronts.errors import InputError
 from granular_fronts.numerics.compiled import kernel
 from granular_fronts.numerics.interrupts import interrupted
 
@@ -104,11 +105,21 @@ def integrate(
     alpha = scalar("alpha", chain.alpha, above=0.0, advice="give an exponent")
     beta = scalar("beta", chain.beta, least=1.0, advice="give an exponent")
     law = alpha, beta, scalar("gamma", chain.gamma, least=0.0, advice="give a damping")
-    ends = float(chain.left) ** alpha, float(chain.right) ** alpha, chain.wall
-    x, v = np.array(array("x", x)), np.array(array("v", v))
+    left, right = (
+        scalar(end, getattr(chain, end), least=0.0, advice="press, or leave it free")
+        for end in ("left", "right")
+    )
+    ends = left**alpha, right**alpha, chain.wall
+    x, v = np.array(sequence("x", x)), np.array(sequence("v", v))
+    if v.size != x.size:
+        raise InputError(f"v holds {v.size} numbers, but x {x.size}: give one for each bead.")
     step = scalar("step", step, above=0.0, advice="give a step")
     steps = count("steps", steps)
     follow = np.arange(x.size) if follow is None else np.asarray(follow, np.int64)
+    if not np.isin(follow, np.arange(x.size)).all():
+        raise InputError(
+            f"follow is {[*follow]}, but beads are 0 to {x.size - 1}: choose of these."
+        )
     followed_x, followed_v = np.full((2, steps + 1, follow.size), np.nan)
     advance(x, v, law, ends, (step, *scheme), follow, followed_x, followed_v)
     return Motion(step * np.arange(steps + 1), followed_x, followed_v)
