@@ -130,6 +130,12 @@ def test_solitary_wave_is_that_of_another_quadrature():
     np.testing.assert_allclose(finer.u[::2], wave.u, rtol=0, atol=1e-13)
 
 
+def test_solitary_wave_keeps_its_digits_near_1():
+    """Against Newton's iteration in 34 digits, where the change of an iteration is no error."""
+    peak, error = solitary_shape(1.02)[0]
+    assert abs(peak - 1.63979933203546348) <= 2.0 * error < 1e-13
+
+
 def test_solitary_waves_become_gaussian():
     distances = [solitary_shape(alpha)[1][0] for alpha in (1.5, 1.1, 1.02)]
     assert distances[0] > distances[1] > distances[2]
