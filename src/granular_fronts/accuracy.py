@@ -154,7 +154,7 @@ def rounded(value: float, units: float = 1.0) -> Estimate:
 
 
 def sampled_maximum(values: npt.ArrayLike) -> Estimate:
-    """Return the largest of equidistant samples; a smooth function exceeds it by h²|f''|/8."""
+    """Return the largest equidistant sample; a smooth function exceeds it by at most h²|f''|/8."""
     samples = np.asarray(values, dtype=float)
     top = int(np.nanargmax(samples))
     rise = np.nansum(np.abs(np.diff(samples[max(top - 1, 0) : top + 2], 2))) / 8.0
