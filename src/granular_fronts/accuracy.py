@@ -154,11 +154,17 @@ def rounded(value: float, units: float = 1.0) -> Estimate:
 
 
 def sampled_maximum(values: npt.ArrayLike) -> Estimate:
-    """Return the largest equidistant sample; a smooth function exceeds it by at most h²|f''|/8."""
-    samples = np.asarray(values, dtype=float)
+    """Return the vertex of the parabola through the largest of equidistant samples, or an end.
+
+    A smooth function exceeds its samples by at most h²|f''|/8, which is the error.
+    """
+    samples = np.pad(np.asarray(values, dtype=float), 1, constant_values=np.nan)
     top = int(np.nanargmax(samples))
-    rise = np.nansum(np.abs(np.diff(samples[max(top - 1, 0) : top + 2], 2))) / 8.0
-    return Estimate(float(samples[top]), float(rise + rounding_floor(samples[top])))
+    left, largest, right = samples[top - 1 : top + 2].tolist()
+    bend = 2.0 * largest - left - right
+    if not bend > 0.0:
+        return rounded(largest)
+    return rounded(largest) + Estimate(0.125 * (left - right) ** 2 / bend, 0.125 * bend)
 
 
 def recorded(variable: xr.DataArray) -> Estimate:

@@ -7,7 +7,7 @@ A measure takes a dataset and returns an `Estimate`.  The dataset is a front sce
 
 import numpy as np
 
-from granular_fronts.accuracy import Estimate, estimate, recorded
+from granular_fronts.accuracy import Estimate, estimate, recorded, sampled_maximum
 
 FEW_DIGITS = 1.0e-14  # relative error of critical damping, a few units of the last digit
 
@@ -32,22 +32,13 @@ def dissipated_power(front):
 def velocity_overshoot(front):
     """Return the largest ẋ/v_p − 1 on the window of the scene, the vertex of a parabola."""
     velocity = front["velocity"]
-    return _vertex(velocity.values, 1.0) + Estimate(-1.0, velocity.error_estimate)
+    return sampled_maximum(velocity.values) + Estimate(-1.0, velocity.error_estimate)
 
 
 def smallest_velocity_behind(front):
     """Return the smallest ẋ/v_p behind the middle of the front, the vertex of a parabola."""
     velocity = front["velocity"].where(front["xi"] < 0.0, drop=True)
-    return _vertex(velocity.values, -1.0) + Estimate(0.0, velocity.error_estimate)
-
-
-def _vertex(values, sign):
-    """Return the largest (sign 1) or smallest (−1) value, by the parabola through three points."""
-    # The error is as large as what the parabola adds to the grid.
-    top = int(np.argmax(sign * values))
-    left, middle, right = values[top - 1 : top + 2]
-    rise = 0.125 * (left - right) ** 2 / (2.0 * middle - left - right)
-    return estimate(middle + rise, middle)
+    return -sampled_maximum(-velocity.values) + Estimate(0.0, velocity.error_estimate)
 
 
 def distance(front, field, limit):
